@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: Apache-2.0
+# What a build can choose, and the flags that follow from it.
+option(FACIES_BUILD_TESTS "Build the tests and the examples" ON)
+option(FACIES_BUILD_BENCHMARKS "Build what bench/ measures" OFF)
+option(FACIES_NATIVE "Use every instruction that this machine has (results differ in the last bits from machine to machine)" ON)
+option(FACIES_WARNINGS_AS_ERRORS "Refuse to build with a warning" OFF)
+set(FACIES_SANITIZE "" CACHE STRING "Sanitizers, comma separated: address,undefined")
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+add_library(facies_flags INTERFACE)
+target_compile_options(facies_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  # g++ 12 sees uninitialised values in Eigen's vectorised reductions where there are none.
+  target_compile_options(facies_flags INTERFACE -Wno-maybe-uninitialized -Wno-uninitialized)
+endif()
+if(FACIES_WARNINGS_AS_ERRORS)
+  target_compile_options(facies_flags INTERFACE -Werror)
+endif()
+if(FACIES_NATIVE)
+  target_compile_options(facies_flags INTERFACE -march=native)
+endif()
+if(FACIES_SANITIZE)
+  target_compile_options(facies_flags INTERFACE -fsanitize=${FACIES_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(facies_flags INTERFACE -fsanitize=${FACIES_SANITIZE})
+endif()

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: Apache-2.0
+# A room is a folder of src/facies, a namespace and a library; its links are the arrows of docs/architecture.md.
+#
+#   facies_room(mesh USES math LIBRARIES ZLIB::ZLIB)
+#
+# USES are rooms whose headers this room's headers may include; LIBRARIES stay private to its .cpp files.
+function(facies_room name)
+  cmake_parse_arguments(ROOM "" "" "USES;LIBRARIES;PUBLIC_LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  set(target facies_${name})
+  if(sources)
+    add_library(${target} STATIC ${sources})
+    set(scope PUBLIC)
+    target_link_libraries(${target} PRIVATE facies_flags ${ROOM_LIBRARIES})
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(${target} ${scope} ${PROJECT_SOURCE_DIR}/src)
+  foreach(used IN LISTS ROOM_USES)
+    target_link_libraries(${target} ${scope} facies_${used})
+  endforeach()
+  target_link_libraries(${target} ${scope} ${ROOM_PUBLIC_LIBRARIES})
+endfunction()
+
+# facies_test(test_voigt ROOMS math [LABELS fast] [TIMEOUT 60])   one GoogleTest program from test_voigt.cpp beside the caller
+function(facies_test name)
+  cmake_parse_arguments(TEST "" "TIMEOUT" "ROOMS;LABELS;LIBRARIES" ${ARGN})
+  if(NOT TEST_TIMEOUT)
+    set(TEST_TIMEOUT 120)
+  endif()
+  if(NOT TEST_LABELS)
+    set(TEST_LABELS fast)
+  endif()
+  add_executable(${name} ${name}.cpp)
+  foreach(room IN LISTS TEST_ROOMS)
+    target_link_libraries(${name} PRIVATE facies_${room})
+  endforeach()
+  target_link_libraries(${name} PRIVATE facies_flags GTest::gtest_main GTest::gmock ${TEST_LIBRARIES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES LABELS "${TEST_LABELS}" TIMEOUT ${TEST_TIMEOUT})
+endfunction()
