@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// The part of quality.hpp that a person is told about.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "facies/mesh/quality.hpp"
+
+namespace facies::mesh {
+namespace {
+
+constexpr std::size_t max_listed = 20;
+/// Scaled Jacobian below which an element is flat for all practical purposes.
+constexpr double flat = 1e-9;
+
+/// Problems of one kind: the first ones as they are, then how many more there are.
+class ProblemsOfOneKind {
+ public:
+  explicit ProblemsOfOneKind(std::string kind) : kind_(std::move(kind)) {}
+
+  void add(Problem problem) {
+    if (count_ < max_listed) list_.push_back(std::move(problem));
+    ++count_;
+  }
+
+  void move_to(std::vector<Problem>& all) {
+    for (Problem& problem : list_)
+      all.push_back(std::move(problem));
+    if (count_ > max_listed) {
+      all.push_back({"mesh", fmt::format("{} more {}", count_ - max_listed, kind_), "", ""});
+    }
+  }
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+
+ private:
+  std::string kind_;
+  std::vector<Problem> list_;
+  std::size_t count_ = 0;
+};
+
+std::string node_name(const SourceNames& names, std::size_t n) {
+  return names.node ? names.node(to_index(n)) : fmt::format("mesh node {}", n);
+}
+
+std::string element_name(const SourceNames& names, Index e) {
+  return names.element ? names.element(e) : fmt::format("mesh element {}", e);
+}
+
+bool is_finite(const Mesh& mesh, const Element& element) {
+  return std::ranges::all_of(element.connectivity(),
+                             [&](Index node) { return mesh.X()[at(node)].allFinite(); });
+}
+
+void check_nodes(const Mesh& mesh, const SourceNames& names, std::vector<Problem>& all) {
+  std::vector<bool> used(mesh.n_nodes(), false);
+  for (const Element& element : mesh.elements()) {
+    for (const Index node : element.connectivity())
+      used[at(node)] = true;
+  }
+  ProblemsOfOneKind infinite("nodes without finite coordinates");
+  ProblemsOfOneKind unused("nodes without an element");
+  for (std::size_t n = 0; n < mesh.n_nodes(); ++n) {
+    const Vec3& X = mesh.X()[n];
+    if (!X.allFinite()) {
+      infinite.add({node_name(names, n), fmt::format("coordinates {}, {}, {}", X(0), X(1), X(2)),
+                    "finite numbers", ""});
+    }
+    if (!used[n]) {
+      unused.add({node_name(names, n), "belongs to no element", "at least one element",
+                  "remove the node or add the missing element"});
+    }
+  }
+  infinite.move_to(all);
+  unused.move_to(all);
+}
+
+void check_elements(const Mesh& mesh, const SourceNames& names, std::vector<Problem>& all) {
+  ProblemsOfOneKind bad("inverted or flat elements");
+  for (std::size_t i = 0; i < mesh.n_elements(); ++i) {
+    const Index e = to_index(i);
+    if (!is_finite(mesh, mesh.element(e))) continue;
+    const double scaled = element_quality(mesh, e, mesh.X()).scaled_jacobian_gauss;
+    if (scaled > flat) continue;
+    const std::string_view type = name(mesh.element(e).type);
+    bad.add({element_name(names, e),
+             fmt::format("{} is {} (scaled Jacobian {:.3g} at a Gauss point)", type,
+                         scaled < -flat ? "inverted" : "flat", scaled),
+             "a value above 0", "check the order of its nodes and their coordinates"});
+  }
+  bad.move_to(all);
+  if (mesh.n_elements() > 1 && bad.count() == mesh.n_elements()) {
+    all.push_back({"mesh", "every element is inverted or flat", "elements with positive volume",
+                   "the nodes may be numbered left-handed: swap the two ends of each element"});
+  }
+}
+
+}  // namespace
+
+std::vector<Problem> check_geometry(const Mesh& mesh, const SourceNames& names) {
+  std::vector<Problem> all;
+  if (mesh.n_elements() == 0) all.push_back({"mesh", "no element", "at least one element", ""});
+  check_nodes(mesh, names, all);
+  check_elements(mesh, names, all);
+  return all;
+}
+
+std::vector<Problem> check_size(const Mesh& mesh, double smallest, double largest) {
+  if (mesh.n_nodes() == 0) return {};
+  Vec3 lower = mesh.X()[0];
+  Vec3 upper = lower;
+  for (const Vec3& X : mesh.X()) {
+    if (!X.allFinite()) return {};
+    lower = lower.cwiseMin(X);
+    upper = upper.cwiseMax(X);
+  }
+  const double size = (upper - lower).maxCoeff();
+  if (size >= smallest && size <= largest) return {};
+  Problem problem{"mesh", fmt::format("{:.6g} mm from end to end", size),
+                  fmt::format("{:.6g} to {:.6g} mm", smallest, largest), ""};
+  constexpr std::array<std::pair<double, const char*>, 4> units{
+      {{1000.0, "metres"}, {10.0, "centimetres"}, {25.4, "inches"}, {0.001, "micrometres"}}};
+  for (const auto& [mm, unit] : units) {
+    if (problem.hint.empty() && size * mm >= smallest && size * mm <= largest) {
+      problem.hint = fmt::format("the coordinates look like {}: multiply them by {}", unit, mm);
+    }
+  }
+  return {problem};
+}
+
+}  // namespace facies::mesh
