@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Everything physical is a Term: it stores energy or exerts force.
+//
+// Sign: r(u) = internal - external, K = dr/du; Newton solves K du = -r.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "facies/mechanics/state.hpp"
+
+namespace facies::mechanics {
+
+/// The groups of unknowns that a term's tangent couples, one after the other: the sparsity pattern.
+struct Stencils {
+  std::vector<std::size_t> begin{0};  ///< group g holds dofs[begin[g]] .. dofs[begin[g+1]]
+  std::vector<Index> dofs;
+
+  [[nodiscard]] std::size_t size() const { return begin.size() - 1; }
+  [[nodiscard]] std::span<const Index> operator[](std::size_t g) const {
+    return {dofs.data() + begin[g], begin[g + 1] - begin[g]};
+  }
+  void push_back(std::span<const Index> group) {
+    dofs.insert(dofs.end(), group.begin(), group.end());
+    begin.push_back(dofs.size());
+  }
+};
+
+/// Where tangents go. A term never learns what kind of matrix stands behind it.
+class TangentSink {
+ public:
+  TangentSink() = default;
+  TangentSink(const TangentSink&) = delete;
+  TangentSink& operator=(const TangentSink&) = delete;
+  TangentSink(TangentSink&&) = delete;
+  TangentSink& operator=(TangentSink&&) = delete;
+  virtual ~TangentSink() = default;
+
+  /// Adds a symmetric block [n, n] for group `stencil` of the term that is being assembled; only its lower triangle
+  /// (row >= column, column-major storage) is read. Calls for groups that share no unknown may come from several threads.
+  virtual void add(std::size_t stencil, std::span<const double> block) = 0;
+};
+
+/// Why a trial state cannot be evaluated.
+struct Inadmissible {
+  Index element = -1;
+  double J = 0.0;  ///< the determinant found, not positive
+};
+
+class Term {
+ public:
+  Term() = default;
+  Term(const Term&) = delete;
+  Term& operator=(const Term&) = delete;
+  Term(Term&&) = delete;
+  Term& operator=(Term&&) = delete;
+  virtual ~Term() = default;
+
+  [[nodiscard]] virtual std::string_view name() const = 0;
+
+  /// Stored energy minus the work of constant external forces [mN mm = uJ]; +infinity for an inadmissible state.
+  [[nodiscard]] virtual double energy(const State& state, const Controls& controls) const = 0;
+
+  /// Adds to r [n_dofs] [mN]. False where the state is inadmissible (det F <= 0); r is then worthless and `why`,
+  /// if given, says where.
+  [[nodiscard]] virtual bool add_residual(const State& state, const Controls& controls,
+                                          std::span<double> r, Inadmissible* why) const = 0;
+
+  /// The groups that add_tangent fills, in its numbering. Fixed for the life of the term.
+  virtual void list_stencils(Stencils& /*stencils*/) const {}
+
+  /// Adds K [mN/mm] group by group. Only called for admissible states.
+  virtual void add_tangent(const State& /*state*/, const Controls& /*controls*/,
+                           TangentSink& /*K*/) const {}
+};
+
+}  // namespace facies::mechanics
