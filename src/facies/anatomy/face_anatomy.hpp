@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// A face as plain data: what every geometry source produces and every model is built from.
+//
+// Axes of every face: -x anterior, +y the subject's right, +z up; lengths in mm.
+// Names of sets in `mesh` that models rely on (a set that a face does not have is empty):
+//   elements  skin, hypodermis_mid, hypodermis_inner      the layers, outermost first; together all elements
+//   faces     outer, inner                                the skin's surface; the surface towards the bone
+//   nodes     outer, inner                                the nodes of those faces
+//   nodes     held_in_tension                             stay at their places while the tension is put in
+//   nodes     rim, zygomatic, nose, orbit                 fixed from the release on
+//   nodes     mandibular                                  tied to the mandible from the release on
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "facies/mesh/mesh.hpp"
+
+namespace facies::anatomy {
+
+/// Layers, outermost first.
+inline const std::vector<std::string>& layer_names() {
+  static const std::vector<std::string> names = {"skin", "hypodermis_mid", "hypodermis_inner"};
+  return names;
+}
+
+enum class Side { left, right, middle };
+
+/// A fibre: a polyline of points [mm] in the mesh's reference configuration, closed or open.
+struct FibrePath {
+  Side side = Side::middle;
+  bool closed = false;
+  std::vector<Vec3> points;
+};
+
+/// A muscle as drawn: its paths on both sides. "ZYG" drives all of it, "ZYG_L" and "ZYG_R" one side.
+struct MusclePaths {
+  std::string name;     ///< "ZYG"
+  std::string meaning;  ///< "zygomaticus"
+  std::vector<FibrePath> paths;
+};
+
+/// A muscle of one side as a set of elements with fibre directions; made from paths by select_muscles.
+struct Muscle {
+  std::string name;   ///< "ZYG_L", or "OOP" for a ring
+  std::string group;  ///< "ZYG"
+  Side side = Side::middle;
+  std::vector<Index> elements;   ///< sorted
+  std::vector<Vec3> directions;  ///< unit, one per element
+};
+
+/// A named point of the face that is followed through a run.
+struct Landmark {
+  std::string name;     ///< "RMC"
+  std::string meaning;  ///< "right mouth corner"
+  Index node = -1;
+  bool in_paper = false;  ///< one of the landmarks of the paper's Figure 4
+};
+
+/// A distance that is followed through a run.
+struct LandmarkPair {
+  std::string a, b;
+};
+
+struct FaceAnatomy {
+  std::string source;  ///< how it was made: "artisynth:/path", "patch"
+  mesh::Mesh mesh;
+  std::vector<Mat3>
+      axes;  ///< [n_elements] columns a1 (skin line), a2 (outward normal), a3; identity outside the skin
+  std::vector<MusclePaths> muscle_paths;
+  std::vector<Landmark> landmarks;
+  std::vector<LandmarkPair> pairs;
+  std::vector<std::string>
+      notes;  ///< what a reader did that a user should know ("6024 left-handed hexahedra turned")
+  bool is_reference_face =
+      false;  ///< the paper's own face: its numbers may be compared with the paper's
+};
+
+/// Muscles as elements: an element belongs to a muscle if its centroid lies closer than `radius` [mm] to one of its
+/// paths, both measured in the reference configuration divided by `scale` (paper's TSF: the stress-free size).
+/// Its side is that of the nearest path. Order: that of muscle_paths, left before right. Throws DataError for a muscle
+/// that gets no element.
+[[nodiscard]] std::vector<Muscle> select_muscles(const FaceAnatomy& face, double radius,
+                                                 double scale);
+
+}  // namespace facies::anatomy

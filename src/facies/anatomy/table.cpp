@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "facies/anatomy/table.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "facies/base/text.hpp"
+
+namespace facies::anatomy {
+
+Table::Table(const std::filesystem::path& path, const std::vector<std::string>& columns,
+             Problems& problems)
+    : file_(path, problems) {
+  if (!file_.is_usable()) return;
+  const std::size_t before = problems.size();
+  for (const std::string_view field : split(file_.line(0), ','))
+    header_.emplace_back(field);
+  for (const std::string& column : columns) {
+    if (std::ranges::find(header_, column) == header_.end()) {
+      problems.add({file_.where(0), fmt::format("no column '{}'", column), "",
+                    did_you_mean(column, header_)});
+    }
+  }
+  for (std::size_t line = 1; line < file_.n_lines(); ++line)
+    add_row(line, problems);
+  if (problems.size() != before) rows_.clear();
+}
+
+void Table::add_row(std::size_t line, Problems& problems) {
+  if (trim(file_.line(line)).empty()) return;
+  const std::size_t n = split(file_.line(line), ',').size();
+  if (n == header_.size()) {
+    rows_.push_back(line);
+    return;
+  }
+  problems.add({file_.where(line), fmt::format("{} fields", n),
+                fmt::format("{} as in the header", header_.size()),
+                "fields are separated by commas and contain none"});
+}
+
+std::string_view Table::text(std::size_t row, const std::string& column) const {
+  const auto found = std::ranges::find(header_, column);
+  require(found != header_.end(), "a table is asked for a column that it does not have");
+  return split(file_.line(rows_.at(row)), ',')[std::size_t(found - header_.begin())];
+}
+
+std::optional<long> Table::integer(std::size_t row, const std::string& column,
+                                   Problems& problems) const {
+  const std::optional<long> value = parse_integer(text(row, column));
+  if (!value) {
+    problems.add({where(row, column), excerpt(text(row, column)), "a whole number", ""});
+  }
+  return value;
+}
+
+std::string Table::where(std::size_t row, const std::string& column) const {
+  const std::string_view field = text(row, column);
+  // An empty field stands nowhere in particular.
+  return field.empty() ? file_.where(rows_.at(row)) : file_.where(rows_.at(row), field);
+}
+
+}  // namespace facies::anatomy
