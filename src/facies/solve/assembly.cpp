@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "facies/solve/assembly.hpp"
+
+#include <algorithm>
+
+#include <Eigen/Eigenvalues>
+
+#include "facies/base/error.hpp"
+
+namespace facies::solve {
+
+namespace {
+
+/// Adds one term's blocks to the nonzeros, and the couplings with moving prescribed unknowns to a vector.
+class ValueSink final : public mechanics::TangentSink {
+ public:
+  ValueSink(const mechanics::Stencils& stencils, const Slots& slots, const Equations& equations,
+            std::span<double> values, std::span<const double> moves, std::span<double> coupling)
+      : stencils_(stencils),
+        slots_(slots),
+        equations_(equations),
+        values_(values),
+        moves_(moves),
+        coupling_(coupling) {}
+
+  void add(std::size_t stencil, std::span<const double> block) override {
+    const std::span<const Index> group = stencils_[stencil];
+    const Index* slot = slots_.slot.data() + slots_.begin[stencil];
+    for (std::size_t j = 0; j < group.size(); ++j) {
+      const double* column = block.data() + j * group.size();
+      for (std::size_t i = j; i < group.size(); ++i, ++slot) {
+        if (*slot >= 0) {
+          values_[at(*slot)] += column[i];
+        } else if (!moves_.empty()) {
+          add_coupling(group[i], group[j], column[i]);
+        }
+      }
+    }
+  }
+
+ private:
+  void add_coupling(Index dof_a, Index dof_b, double k) {
+    const Index a = equations_.equation_of_dof[at(dof_a)];
+    const Index b = equations_.equation_of_dof[at(dof_b)];
+    if (a >= 0) coupling_[at(a)] += k * moves_[at(dof_b)];
+    if (b >= 0) coupling_[at(b)] += k * moves_[at(dof_a)];
+  }
+
+  const mechanics::Stencils& stencils_;
+  const Slots& slots_;
+  const Equations& equations_;
+  std::span<double> values_;
+  std::span<const double> moves_;
+  std::span<double> coupling_;
+};
+
+/// Makes every block positive semi-definite before it is added.
+class PositiveSink final : public mechanics::TangentSink {
+ public:
+  PositiveSink(const mechanics::Stencils& stencils, mechanics::TangentSink& next)
+      : stencils_(stencils), next_(next) {}
+
+  void add(std::size_t stencil, std::span<const double> block) override {
+    // An element's matrix at most: fixed storage keeps the eigenvalue solver off the heap.
+    using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 24, 24>;
+    const auto n = static_cast<Eigen::Index>(stencils_[stencil].size());
+    require(n <= 24, "blocks of more than 24 unknowns cannot be made positive");
+    const Eigen::SelfAdjointEigenSolver<Block> modes(
+        Eigen::Map<const Eigen::MatrixXd>(block.data(), n, n));
+    if (modes.eigenvalues()(0) >= 0.0) {
+      next_.add(stencil, block);
+      return;
+    }
+    const Block& V = modes.eigenvectors();
+    const Block positive = V * modes.eigenvalues().cwiseMax(0.0).asDiagonal() * V.transpose();
+    next_.add(stencil, {positive.data(), block.size()});
+  }
+
+ private:
+  const mechanics::Stencils& stencils_;
+  mechanics::TangentSink& next_;
+};
+
+std::vector<mechanics::Stencils> list_stencils(const mechanics::Model& model) {
+  std::vector<mechanics::Stencils> lists;
+  for (const auto& term : model.terms())
+    term->list_stencils(lists.emplace_back());
+  return lists;
+}
+
+}  // namespace
+
+Assembly::Assembly(const mechanics::Model& model, std::span<const Index> prescribed)
+    : model_(model),
+      stencils_(list_stencils(model)),
+      equations_(number_equations(model.n_dofs(), prescribed)),
+      pattern_(build_pattern(stencils_, equations_)) {
+  for (const mechanics::Stencils& list : stencils_)
+    slots_.push_back(find_slots(list, equations_, pattern_));
+}
+
+void Assembly::tangent(const mechanics::State& state, const mechanics::Controls& controls,
+                       Blocks blocks, std::span<double> values, std::span<const double> moves,
+                       std::span<double> coupling) const {
+  std::fill(values.begin(), values.end(), 0.0);
+  for (std::size_t t = 0; t < slots_.size(); ++t) {
+    ValueSink sink(stencils_[t], slots_[t], equations_, values, moves, coupling);
+    PositiveSink positive(stencils_[t], sink);
+    mechanics::TangentSink& first =
+        blocks == Blocks::positive ? static_cast<mechanics::TangentSink&>(positive) : sink;
+    model_.terms()[t]->add_tangent(state, controls, first);
+  }
+}
+
+}  // namespace facies::solve

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "facies/solve/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "facies/base/error.hpp"
+
+namespace facies::solve {
+
+namespace {
+
+// Shifts of the diagonal, relative to it, where nothing else helps.
+constexpr double first_shift = 0.01;
+constexpr double grow = 8.0;
+constexpr double largest_shift = 1e4;
+constexpr double smallest_step = 1.0 / 64.0;
+/// After a step on positive blocks K itself is tried again where the residual fell below this part of what it was.
+constexpr double promising = 0.5;
+constexpr double accepted_work = 0.9;  // part of the starting work that may remain after a step
+
+double norm(std::span<const double> v) {
+  double sum = 0.0;
+  for (const double x : v)
+    sum += x * x;
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
+/// What one call of solve() works on.
+struct Equilibrium::Work {
+  std::vector<double> r;         // [n_dofs]
+  std::vector<double> values;    // nonzeros of K
+  std::vector<double> moves;     // [n_dofs] what prescribed unknowns still have to move
+  std::vector<double> coupling;  // [n_equations]
+  std::vector<double> rhs;       // [n_equations]
+  std::vector<double> step;      // [n_equations]
+  bool moving = false;           // some prescribed unknown still has to move
+};
+
+Equilibrium::Equilibrium(const mechanics::Model& model, std::vector<Index> prescribed)
+    : model_(model),
+      prescribed_(std::move(prescribed)),
+      assembly_(model, prescribed_),
+      factor_(assembly_.pattern()) {}
+
+/// Residual over the free unknowns, the scale it is compared with, and where the largest of it is.
+void Equilibrium::measure(Work& work, const mechanics::Controls& controls,
+                          NewtonReport& report) const {
+  double free_sum = 0.0;
+  double fixed_sum = 0.0;
+  double largest = -1.0;
+  const std::vector<Index>& equation = assembly_.equations().equation_of_dof;
+  for (std::size_t dof = 0; dof < work.r.size(); ++dof) {
+    const double square = work.r[dof] * work.r[dof];
+    if (equation[dof] < 0) {
+      fixed_sum += square;
+      continue;
+    }
+    free_sum += square;
+    if (square > largest) {
+      largest = square;
+      report.worst_node = to_index(dof / 3);
+    }
+  }
+  double applied = 0.0;
+  for (const Vec3& force : controls.nodal_force)
+    applied += force.squaredNorm();
+  report.residual = std::sqrt(free_sum);
+  report.relative = report.residual / std::max({std::sqrt(fixed_sum), std::sqrt(applied), 1e-300});
+}
+
+/// Assembles and factorises; false where the matrix is not positive definite, so that its step might go uphill in energy.
+bool Equilibrium::factorise(Work& work, const mechanics::State& state,
+                            const mechanics::Controls& controls, Iteration& iteration) {
+  work.coupling.assign(work.rhs.size(), 0.0);
+  assembly_.tangent(state, controls, iteration.exact ? Blocks::exact : Blocks::positive,
+                    work.values, work.moving ? work.moves : std::span<const double>(),
+                    work.coupling);
+  const SparsityPattern& pattern = assembly_.pattern();
+  for (std::size_t row = 0; row < pattern.size(); ++row) {
+    double& diagonal = work.values[at(pattern.row_begin[row])];
+    diagonal += iteration.shift * std::abs(diagonal);
+  }
+  ++iteration.factorisations;
+  return factor_.factorise(work.values) == 0;
+}
+
+/// A step from K itself where `try_exact` and K is positive definite; else from K with positive blocks, and where even
+/// that leads nowhere, from the same with a growing diagonal: shorter and shorter steps down the gradient.
+bool Equilibrium::take_step(Work& work, mechanics::State& state,
+                            const mechanics::Controls& controls, bool try_exact,
+                            Iteration& iteration, NewtonReport& report) {
+  iteration.exact = try_exact;
+  while (iteration.shift <= largest_shift) {
+    if (factorise(work, state, controls, iteration)) {
+      for (std::size_t k = 0; k < work.rhs.size(); ++k) {
+        work.rhs[k] = -work.r[at(assembly_.equations().dof_of_equation[k])] - work.coupling[k];
+      }
+      factor_.solve(work.rhs, work.step);
+      iteration.step_length = find_step(work, state, controls, report);
+      if (iteration.step_length > 0.0) return true;
+    }
+    if (iteration.exact) {
+      iteration.exact = false;
+    } else {
+      iteration.shift = std::max(first_shift, grow * iteration.shift);
+    }
+  }
+  return false;
+}
+
+double Equilibrium::work_of_free(std::span<const double> r,
+                                 std::span<const double> direction) const {
+  const std::vector<Index>& dofs = assembly_.equations().dof_of_equation;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < dofs.size(); ++k)
+    sum += r[at(dofs[k])] * direction[k];
+  return sum;
+}
+
+mechanics::State Equilibrium::moved(const Work& work, const mechanics::State& state,
+                                    double step) const {
+  mechanics::State trial = state;
+  const std::vector<Index>& dofs = assembly_.equations().dof_of_equation;
+  for (std::size_t k = 0; k < dofs.size(); ++k)
+    trial.u[at(dofs[k] / 3)](dofs[k] % 3) += step * work.step[k];
+  for (const Index dof : prescribed_)
+    trial.u[at(dof / 3)](dof % 3) += step * work.moves[at(dof)];
+  return trial;
+}
+
+/// Longest part of the Newton step that leads to an admissible state and does not overshoot: the residual's work along
+/// the step must not grow on the far side. Updates state and residual; 0 where no part will do.
+double Equilibrium::find_step(Work& work, mechanics::State& state,
+                              const mechanics::Controls& controls, NewtonReport& report) const {
+  const double work_before = std::abs(work_of_free(work.r, work.step));
+  std::vector<double> r(work.r.size());
+  double step = 1.0;
+  while (step >= smallest_step) {
+    mechanics::State trial = moved(work, state, step);
+    double shorten = 0.5;
+    if (model_.residual(trial, controls, r, &report.inadmissible)) {
+      const double work_after = work_of_free(r, work.step);
+      if (std::isfinite(work_after) && (work.moving || work_after <= accepted_work * work_before)) {
+        state = std::move(trial);
+        work.r.swap(r);
+        return step;
+      }
+      if (std::isfinite(work_after))
+        shorten = std::clamp(work_before / (work_before + work_after), 0.1, 0.5);
+    }
+    step *= shorten;
+  }
+  return 0.0;
+}
+
+NewtonReport Equilibrium::solve(mechanics::State& state, const mechanics::Controls& controls,
+                                std::span<const double> values, const NewtonSettings& settings,
+                                const std::function<void(const Iteration&)>& listen) {
+  require(values.size() == prescribed_.size(), "one value per prescribed unknown");
+  NewtonReport report;
+  Work work;
+  work.r.resize(model_.n_dofs());
+  work.values.resize(assembly_.pattern().n_nonzeros());
+  work.moves.assign(model_.n_dofs(), 0.0);
+  work.rhs.resize(assembly_.equations().size());
+  work.step.resize(assembly_.equations().size());
+  if (!model_.residual(state, controls, work.r, &report.inadmissible)) {
+    report.reason = "the state to start from is inadmissible";
+    return report;
+  }
+  const auto update_moves = [&] {
+    work.moving = false;
+    for (std::size_t k = 0; k < prescribed_.size(); ++k) {
+      const Index dof = prescribed_[k];
+      const double move = values[k] - state.u[at(dof / 3)](dof % 3);
+      work.moves[at(dof)] = move;
+      const bool arrived =
+          std::abs(move) <= 1e-14 * (1.0 + std::abs(values[k]));  // never, where a value is NaN
+      work.moving = work.moving || !arrived;
+    }
+  };
+  Iteration iteration;
+  double previous = std::numeric_limits<double>::infinity();
+  int convex_iterations = 0;
+  while (true) {
+    update_moves();
+    measure(work, controls, report);
+    iteration.residual = report.residual;
+    iteration.relative = report.relative;
+    if (listen) listen(iteration);
+    const bool small = report.residual <= settings.absolute_tolerance ||
+                       report.relative <= settings.relative_tolerance;
+    if (!work.moving && small) {
+      report.converged = true;
+      report.reason = fmt::format("residual {:.1e} of the load", report.relative);
+      return report;
+    }
+    if (report.iterations == settings.max_iterations) {
+      report.reason = fmt::format("residual still {:.1e} of the load after {} iterations",
+                                  report.relative, report.iterations);
+      return report;
+    }
+    const bool try_exact =
+        iteration.exact || report.residual < promising * previous || ++convex_iterations % 3 == 0;
+    previous = report.residual;
+    iteration = Iteration{.number = ++report.iterations};
+    const bool stepped = take_step(work, state, controls, try_exact, iteration, report);
+    report.factorisations += iteration.factorisations;
+    if (!stepped) {
+      report.reason = "no admissible state along any descent step carries less residual";
+      return report;
+    }
+    for (const double component : work.step) {
+      iteration.correction =
+          std::max(iteration.correction, iteration.step_length * std::abs(component));
+    }
+  }
+}
+
+double Equilibrium::residual_norm(const mechanics::State& state,
+                                  const mechanics::Controls& controls) const {
+  std::vector<double> r(model_.n_dofs());
+  if (!model_.residual(state, controls, r)) return std::numeric_limits<double>::infinity();
+  for (const Index dof : prescribed_)
+    r[at(dof)] = 0.0;
+  const double value = norm(r);
+  return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
+}
+
+NewtonReport solve_equilibrium(const mechanics::Model& model, mechanics::State& state,
+                               const mechanics::Controls& controls,
+                               const mechanics::Prescribed& prescribed,
+                               const NewtonSettings& settings) {
+  Equilibrium equilibrium(model, prescribed.dofs);
+  return equilibrium.solve(state, controls, prescribed.values, settings);
+}
+
+}  // namespace facies::solve

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Static equilibrium by Newton's method, on tangents that may be indefinite and trial states that may be inadmissible.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "facies/solve/assembly.hpp"
+#include "facies/solve/factor.hpp"
+#include "facies/solve/observer.hpp"
+
+namespace facies::solve {
+
+struct NewtonSettings {
+  double relative_tolerance =
+      1e-6;  ///< of |r| over the free unknowns, against the reactions and applied forces
+  double absolute_tolerance = 1e-6;  ///< [mN], for models that carry no load at all
+  int max_iterations = 60;
+};
+
+/// How a solution ended. `converged` comes from the criterion, never from a counter.
+struct NewtonReport {
+  bool converged = false;
+  std::string reason;
+  int iterations = 0;
+  int factorisations = 0;
+  double residual = 0.0;  ///< |r| over the free unknowns [mN]
+  double relative = 0.0;
+  Index worst_node =
+      -1;  ///< carries the largest remaining residual; -1 where nothing was evaluated
+  mechanics::Inadmissible
+      inadmissible;  ///< the last element that stood in the way; element -1: none did
+};
+
+/// Finds equilibria of one model with one set of prescribed unknowns; pattern, numbering and symbolic factorisation are
+/// made once. Method: docs/theory/solver.md.
+class Equilibrium {
+ public:
+  /// The model must outlive this. Prescribed unknowns ascending.
+  Equilibrium(const mechanics::Model& model, std::vector<Index> prescribed);
+
+  [[nodiscard]] const mechanics::Model& model() const { return model_; }
+  [[nodiscard]] std::span<const Index> prescribed() const { return prescribed_; }
+
+  /// Moves `state` to equilibrium under `controls` with the prescribed unknowns at `values` [mm]. Where that fails the
+  /// state is left at the last iterate. `listen` hears every iteration.
+  [[nodiscard]] NewtonReport solve(mechanics::State& state, const mechanics::Controls& controls,
+                                   std::span<const double> values, const NewtonSettings& settings,
+                                   const std::function<void(const Iteration&)>& listen = {});
+
+  /// |r| over the free unknowns [mN]; +infinity for an inadmissible state.
+  [[nodiscard]] double residual_norm(const mechanics::State& state,
+                                     const mechanics::Controls& controls) const;
+
+ private:
+  struct Work;
+
+  void measure(Work& work, const mechanics::Controls& controls, NewtonReport& report) const;
+  [[nodiscard]] bool factorise(Work& work, const mechanics::State& state,
+                               const mechanics::Controls& controls, Iteration& iteration);
+  [[nodiscard]] bool take_step(Work& work, mechanics::State& state,
+                               const mechanics::Controls& controls, bool try_exact,
+                               Iteration& iteration, NewtonReport& report);
+  [[nodiscard]] double find_step(Work& work, mechanics::State& state,
+                                 const mechanics::Controls& controls, NewtonReport& report) const;
+  [[nodiscard]] mechanics::State moved(const Work& work, const mechanics::State& state,
+                                       double step) const;
+  [[nodiscard]] double work_of_free(std::span<const double> r,
+                                    std::span<const double> direction) const;
+
+  const mechanics::Model& model_;
+  std::vector<Index> prescribed_;
+  Assembly assembly_;
+  SymmetricFactor factor_;
+};
+
+/// One-shot: equilibrium under `controls` with the given unknowns prescribed.
+[[nodiscard]] NewtonReport solve_equilibrium(const mechanics::Model& model, mechanics::State& state,
+                                             const mechanics::Controls& controls,
+                                             const mechanics::Prescribed& prescribed,
+                                             const NewtonSettings& settings = {});
+
+}  // namespace facies::solve
