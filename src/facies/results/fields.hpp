@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// fields/<nn>-<step>.vtu and fields.pvd: everything known on nodes and elements, for ParaView and meshio.
+#pragma once
+
+#include <filesystem>
+
+#include "facies/mesh/vtu.hpp"
+#include "facies/results/subject.hpp"
+
+namespace facies::results {
+
+/// Writes snapshots as they come. After each one the folder is complete and readable.
+class FieldWriter {
+ public:
+  /// `folder`: the result folder, which holds fields/ already.
+  FieldWriter(const Subject& subject, std::filesystem::path folder)
+      : subject_(&subject), folder_(std::move(folder)) {}
+
+  /// Adds one file and lists it in fields.pvd, at time (number of finished steps + part of this one). `rest`: the state
+  /// that displacement_from_rest_mm counts from; nullptr: the mesh as read. Returns the file's name within the folder.
+  /// Throws UsageError where it cannot be written.
+  std::filesystem::path add(const Snapshot& snapshot, const mechanics::State* rest);
+
+ private:
+  const Subject* subject_;
+  std::filesystem::path folder_;
+  std::vector<mesh::SeriesEntry> entries_;
+};
+
+/// What a file holds on nodes: displacement_mm (from the mesh as read), displacement_from_rest_mm.
+[[nodiscard]] std::vector<mesh::Field> node_fields(const Subject& subject, const Snapshot& snapshot,
+                                                   const mechanics::State* rest);
+
+/// What a file holds on elements: layer (0 outermost), J, cauchy_stress_kPa, principal_tension_kPa,
+/// principal_tension_direction, activation (sum over the muscles that the element belongs to), n_muscles.
+[[nodiscard]] std::vector<mesh::Field> element_fields(const Subject& subject,
+                                                      const Snapshot& snapshot);
+
+}  // namespace facies::results

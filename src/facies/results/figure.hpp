@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures put together on a page: panels in rows with captions, a scale bar, a colour bar, marked points.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "facies/results/render.hpp"
+
+namespace facies::results {
+
+/// A marked point of a panel.
+struct Dot {
+  double column = 0.0, row = 0.0;  ///< in pixels of the panel's image
+  std::string label;
+};
+
+struct Panel {
+  Image image;
+  std::string caption;
+  std::vector<Dot> dots;
+};
+
+struct ColourBar {
+  ColourScale scale;
+  std::string label;  ///< with its unit: "displacement [mm]"
+};
+
+struct Figure {
+  std::string title, subtitle;
+  std::vector<std::vector<Panel>> rows;
+  double mm_per_pixel = 0.0;     ///< of every panel; a scale bar is drawn where it is positive
+  std::optional<ColourBar> bar;  ///< stands beside the last row
+};
+
+/// The figure as a PNG file. Throws std::runtime_error where cairo fails.
+[[nodiscard]] std::string to_png(const Figure& figure);
+
+/// Pixels of a PNG file. Throws DataError with `where` for anything else.
+[[nodiscard]] Image read_png(const std::string& png, const std::string& where);
+
+}  // namespace facies::results
