@@ -118,7 +118,7 @@ TEST(SymmetricFactor, SurvivesPivotsThatNobodyExpected) {
   std::vector<double> easy;
   for (Index row = 0; row < n; ++row) {
     for (Index column = row; column < n; ++column) {
-      if (column != row && random.uniform(0.0, 1.0) > 0.004) continue;
+      if (column > row + 1 && random.uniform(0.0, 1.0) > 0.004) continue;
       pattern.column.push_back(column);
       hard.push_back(column == row ? 0.0 : random.uniform(-1.0, 1.0));
       easy.push_back(column == row ? 20.0 : hard.back());

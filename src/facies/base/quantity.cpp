@@ -114,6 +114,7 @@ std::optional<Problem> multiply(Unit& product, std::string_view factor, int sign
     return std::nullopt;
   }
   std::vector<std::string> known;
+  known.reserve(symbols.size());
   for (const Symbol& symbol : symbols)
     known.emplace_back(symbol.text);
   return Problem{"", fmt::format("unknown unit '{}'", name), "", did_you_mean(name, known)};

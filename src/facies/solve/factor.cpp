@@ -75,7 +75,9 @@ int SymmetricFactor::factorise(std::span<const double> values) {
     if (error == MAT_FACTOR_NOERROR) break;
     // After an error MUMPS refuses all further work with this factor, whatever the values: begin anew.
     check(MatDestroy(&p.factor), "giving a factor up");
-    if (error != MAT_FACTOR_OUTMEMORY) return static_cast<int>(p.row_begin.size()) - 1;
+    const bool singular =
+        error == MAT_FACTOR_NUMERIC_ZEROPIVOT || error == MAT_FACTOR_STRUCT_ZEROPIVOT;
+    if (singular) return static_cast<int>(p.row_begin.size()) - 1;
     if (p.workspace >= largest_workspace)
       throw NumericsError("factorising the stiffness matrix: not enough memory");
     p.workspace *= 4;

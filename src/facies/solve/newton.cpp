@@ -17,9 +17,8 @@ namespace {
 constexpr double first_shift = 0.01;
 constexpr double grow = 8.0;
 constexpr double largest_shift = 1e4;
-constexpr double smallest_step = 1.0 / 64.0;
-/// After a step on positive blocks K itself is tried again where the residual fell below this part of what it was.
-constexpr double promising = 0.5;
+constexpr double smallest_step = 1.0 / 65536.0;
+constexpr double sufficient = 1e-4;    // part of the expected decrease of energy that is enough
 constexpr double accepted_work = 0.9;  // part of the starting work that may remain after a step
 
 double norm(std::span<const double> v) {
@@ -90,12 +89,12 @@ bool Equilibrium::factorise(Work& work, const mechanics::State& state,
   return factor_.factorise(work.values) == 0;
 }
 
-/// A step from K itself where `try_exact` and K is positive definite; else from K with positive blocks, and where even
-/// that leads nowhere, from the same with a growing diagonal: shorter and shorter steps down the gradient.
+/// A step from K itself for exact `blocks`, if K is positive definite; else from its positive part, and where even that
+/// leads nowhere, from the same with a growing diagonal: shorter and shorter steps down the gradient.
 bool Equilibrium::take_step(Work& work, mechanics::State& state,
-                            const mechanics::Controls& controls, bool try_exact,
+                            const mechanics::Controls& controls, Blocks blocks,
                             Iteration& iteration, NewtonReport& report) {
-  iteration.exact = try_exact;
+  iteration.exact = blocks == Blocks::exact;
   while (iteration.shift <= largest_shift) {
     if (factorise(work, state, controls, iteration)) {
       for (std::size_t k = 0; k < work.rhs.size(); ++k) {
@@ -134,11 +133,13 @@ mechanics::State Equilibrium::moved(const Work& work, const mechanics::State& st
   return trial;
 }
 
-/// Longest part of the Newton step that leads to an admissible state and does not overshoot: the residual's work along
-/// the step must not grow on the far side. Updates state and residual; 0 where no part will do.
+/// Longest part of the Newton step that leads to an admissible state nearer to equilibrium: the residual's work along the
+/// step fell, or the energy did. (Near equilibrium only the work tells: differences of energy drown in rounding.) Updates
+/// state and residual; 0 where no part will do.
 double Equilibrium::find_step(Work& work, mechanics::State& state,
                               const mechanics::Controls& controls, NewtonReport& report) const {
   const double work_before = std::abs(work_of_free(work.r, work.step));
+  const double energy_before = work.moving ? 0.0 : model_.energy(state, controls);
   std::vector<double> r(work.r.size());
   double step = 1.0;
   while (step >= smallest_step) {
@@ -146,12 +147,16 @@ double Equilibrium::find_step(Work& work, mechanics::State& state,
     double shorten = 0.5;
     if (model_.residual(trial, controls, r, &report.inadmissible)) {
       const double work_after = work_of_free(r, work.step);
-      if (std::isfinite(work_after) && (work.moving || work_after <= accepted_work * work_before)) {
+      const auto less_energy = [&] {
+        return model_.energy(trial, controls) <= energy_before - sufficient * step * work_before;
+      };
+      if (std::isfinite(work_after) &&
+          (work.moving || std::abs(work_after) <= accepted_work * work_before || less_energy())) {
         state = std::move(trial);
         work.r.swap(r);
         return step;
       }
-      if (std::isfinite(work_after))
+      if (std::isfinite(work_after) && work_after > 0.0)
         shorten = std::clamp(work_before / (work_before + work_after), 0.1, 0.5);
     }
     step *= shorten;
@@ -187,7 +192,6 @@ NewtonReport Equilibrium::solve(mechanics::State& state, const mechanics::Contro
   };
   Iteration iteration;
   double previous = std::numeric_limits<double>::infinity();
-  int convex_iterations = 0;
   while (true) {
     update_moves();
     measure(work, controls, report);
@@ -206,11 +210,12 @@ NewtonReport Equilibrium::solve(mechanics::State& state, const mechanics::Contro
                                   report.relative, report.iterations);
       return report;
     }
-    const bool try_exact =
-        iteration.exact || report.residual < promising * previous || ++convex_iterations % 3 == 0;
+    const bool promising = iteration.exact || report.residual < 0.5 * previous;
     previous = report.residual;
     iteration = Iteration{.number = ++report.iterations};
-    const bool stepped = take_step(work, state, controls, try_exact, iteration, report);
+    const Blocks blocks =
+        promising || report.iterations % 3 == 0 ? Blocks::exact : Blocks::positive;
+    const bool stepped = take_step(work, state, controls, blocks, iteration, report);
     report.factorisations += iteration.factorisations;
     if (!stepped) {
       report.reason = "no admissible state along any descent step carries less residual";

@@ -16,7 +16,7 @@ struct NewtonSettings {
   double relative_tolerance =
       1e-6;  ///< of |r| over the free unknowns, against the reactions and applied forces
   double absolute_tolerance = 1e-6;  ///< [mN], for models that carry no load at all
-  int max_iterations = 60;
+  int max_iterations = 80;
 };
 
 /// How a solution ended. `converged` comes from the criterion, never from a counter.
@@ -60,7 +60,7 @@ class Equilibrium {
   [[nodiscard]] bool factorise(Work& work, const mechanics::State& state,
                                const mechanics::Controls& controls, Iteration& iteration);
   [[nodiscard]] bool take_step(Work& work, mechanics::State& state,
-                               const mechanics::Controls& controls, bool try_exact,
+                               const mechanics::Controls& controls, Blocks blocks,
                                Iteration& iteration, NewtonReport& report);
   [[nodiscard]] double find_step(Work& work, mechanics::State& state,
                                  const mechanics::Controls& controls, NewtonReport& report) const;
