@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "facies/scenario/read_scenario.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <climits>
+#include <fmt/format.h>
+
+#include "facies/base/files.hpp"
+#include "facies/base/text.hpp"
+#include "facies/scenario/read_parts.hpp"
+#include "facies/scenario/value.hpp"
+
+namespace facies::scenario {
+
+namespace {
+
+constexpr std::size_t max_bytes = 1 << 20;  // scenarios are a page long
+
+const MaterialSection* find_material_section(const std::string& name) {
+  for (const MaterialSection& section : material_sections()) {
+    if (section.name == name) return &section;
+  }
+  return nullptr;
+}
+
+/// Keys that may stand in a section ("" is the top of the file), parameters of laws left out.
+std::vector<std::string> keys_of(const std::string& section) {
+  std::vector<std::string> keys;
+  for (const Field& field : fields()) {
+    if (section_of(field.path) != section) continue;
+    keys.push_back(section.empty() ? field.path : field.path.substr(section.size() + 1));
+  }
+  if (section.empty()) {
+    for (const Section& known : sections())
+      keys.push_back(known.name);
+    keys.emplace_back("steps");
+  }
+  return keys;
+}
+
+/// Reads every field of one mapping and remembers where each entry was written. Keys that are no fields are left to
+/// the caller.
+void read_fields(const Node& node, const std::string& section, Scenario& scenario,
+                 Problems& problems) {
+  for (const Entry& entry : node.entries) {
+    const std::string path = section.empty() ? entry.key : section + "." + entry.key;
+    scenario.written_at[path] = entry.value.where;
+    if (const Field* field = find_field(path)) read_field(entry.value, *field, scenario, problems);
+  }
+}
+
+/// Adds a problem for every key of the mapping that is not known, and a guess at what was meant.
+void refuse_unknown(const Node& node, const std::string& section,
+                    const std::vector<std::string>& known, Problems& problems) {
+  for (const Entry& entry : node.entries) {
+    if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
+    const std::string in = section.empty() ? "" : " in " + section;
+    problems.add({entry.where, fmt::format("unknown key '{}'{}", entry.key, in), "",
+                  did_you_mean(entry.key, known)});
+  }
+}
+
+void read_section(const Node* node, const std::string& section, Scenario& scenario,
+                  Problems& problems) {
+  if (node != nullptr && !expect_mapping(*node, "a mapping", problems)) return;
+  if (node != nullptr) read_fields(*node, section, scenario, problems);
+  std::vector<std::string> known = keys_of(section);
+  if (const MaterialSection* materials = find_material_section(section)) {
+    const bool settled = read_material(node, *materials, scenario, problems);
+    for (const material::ParamSpec& spec :
+         settled ? parameters_of(*materials, scenario) : every_parameter(*materials)) {
+      known.push_back(spec.name);
+    }
+  }
+  if (node != nullptr) refuse_unknown(*node, section, known, problems);
+}
+
+/// The name makes a folder.
+void check_name(const Scenario& scenario, Problems& problems) {
+  const std::string& name = scenario.name;
+  const bool usable = !name.empty() && name.size() <= 100 && name.front() != '.' &&
+                      std::all_of(name.begin(), name.end(), [](unsigned char letter) {
+                        return letter >= 0x20 && letter != 0x7f && letter != '/' && letter != '\\';
+                      });
+  if (usable) return;
+  problems.add({where_of(scenario, "name"), fmt::format("'{}' cannot name a folder", name),
+                "a name of at most 100 letters without '/' and not beginning with '.'", ""});
+}
+
+void read_root(const Node& root, Scenario& scenario, Problems& problems) {
+  read_fields(root, "", scenario, problems);
+  for (const Section& section : sections()) {
+    const Entry* entry = root.find(section.name);
+    read_section(entry == nullptr ? nullptr : &entry->value, section.name, scenario, problems);
+  }
+  refuse_unknown(root, "", keys_of(""), problems);
+  if (const Entry* steps = root.find("steps")) {
+    read_steps(steps->value, scenario, problems);
+  } else {
+    problems.add({root.where, "no steps", "steps: a list of tension, release, express", ""});
+  }
+  check_name(scenario, problems);
+}
+
+bool looks_like_text(const std::string& text) {
+  return std::none_of(text.begin(), text.end(), [](unsigned char letter) {
+    return letter < 0x20 && letter != '\n' && letter != '\r' && letter != '\t';
+  });
+}
+
+/// Line and column of "x.yaml:12:7"; places without them come last.
+std::pair<long, long> line_and_column(const Problem& problem) {
+  const std::vector<std::string_view> parts = split(problem.where, ':');
+  if (parts.size() < 3) return {LONG_MAX, 0};
+  return {parse_integer(parts[parts.size() - 2]).value_or(LONG_MAX),
+          parse_integer(parts.back()).value_or(0)};
+}
+
+/// In the order of the file: people mend it from top to bottom.
+std::vector<Problem> in_order(std::vector<Problem> problems) {
+  std::stable_sort(problems.begin(), problems.end(), [](const Problem& a, const Problem& b) {
+    return line_and_column(a) < line_and_column(b);
+  });
+  return problems;
+}
+
+Reading refuse(const std::string& where, std::string found, std::string expected,
+               std::string hint = "") {
+  return {{}, {{where, std::move(found), std::move(expected), std::move(hint)}}};
+}
+
+}  // namespace
+
+Reading read_text(const std::string& text, const std::string& source, const std::string& name,
+                  const std::vector<Override>& changes) {
+  if (!looks_like_text(text)) return refuse(source, "is not a text file", "a scenario in YAML");
+  Reading reading;
+  reading.scenario.name = name;
+  reading.scenario.written_at[""] = source;
+  Problems problems;
+  Node root = parse_yaml(text, {source}, problems);
+  if (root.kind == Node::Kind::nothing && problems.empty()) {
+    return refuse(source, "is empty", "a scenario with steps", "see `facies list scenarios`");
+  }
+  // Without a mapping at the top there is nothing to read on.
+  if (root.kind == Node::Kind::nothing ||
+      !expect_mapping(root, "a scenario: a mapping of keys such as 'steps'", problems)) {
+    reading.problems = problems.list();
+    return reading;
+  }
+  for (const Override& change : changes)
+    apply_override(root, change, problems);
+  read_root(root, reading.scenario, problems);
+  reading.problems = in_order(problems.list());
+  return reading;
+}
+
+Reading read_file_reporting(const std::filesystem::path& path,
+                            const std::vector<Override>& changes) {
+  std::error_code failure;
+  const auto status = std::filesystem::status(path, failure);
+  if (std::filesystem::is_other(status)) {  // a device or pipe may never end
+    return refuse(path.string(), "is neither a file nor a folder", "a scenario file");
+  }
+  const auto size = std::filesystem::file_size(path, failure);
+  if (!failure && size > max_bytes) {
+    return refuse(path.string(), fmt::format("has {} bytes", size), "a scenario of at most 1 MB");
+  }
+  try {
+    return read_text(read_file(path), path.string(), path.stem().string(), changes);
+  } catch (
+      const DataError& error) {  // a scenario that cannot be opened is a bad scenario, not bad data
+    return {{}, error.problems()};
+  }
+}
+
+Scenario read_scenario(const std::filesystem::path& path, const std::vector<Override>& changes) {
+  Reading reading = read_file_reporting(path, changes);
+  if (!reading.problems.empty()) throw ScenarioError(std::move(reading.problems));
+  return std::move(reading.scenario);
+}
+
+std::vector<Problem> check_against_face(const Scenario& scenario,
+                                        const std::vector<std::string>& muscle_names) {
+  std::vector<Problem> problems;
+  for (std::size_t i = 0; i < scenario.steps.size(); ++i) {
+    const auto* express = std::get_if<ExpressStep>(&scenario.steps[i]);
+    if (express == nullptr) continue;
+    for (const auto& [name, alpha] : express->activations) {
+      if (std::find(muscle_names.begin(), muscle_names.end(), name) != muscle_names.end()) continue;
+      problems.push_back({where_of(scenario, fmt::format("steps.{}.express.{}", i + 1, name)),
+                          fmt::format("this face has no muscle '{}'", name), "",
+                          did_you_mean(name, muscle_names) +
+                              "\n    --face chooses another face (`facies list faces`)"});
+    }
+  }
+  return in_order(std::move(problems));
+}
+
+}  // namespace facies::scenario

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "facies/scenario/recorder.hpp"
+
+#include <algorithm>
+
+#include "facies/base/files.hpp"
+#include "facies/results/closing_table.hpp"
+#include "facies/results/folder.hpp"
+#include "facies/results/pictures.hpp"
+#include "facies/results/tables.hpp"
+#include "facies/scenario/settings_json.hpp"
+#include "facies/scenario/write_scenario.hpp"
+
+namespace facies::scenario {
+
+results::Subject make_subject(const FaceModel& model) {
+  const anatomy::FaceAnatomy& face = model.face;
+  results::Subject subject;
+  subject.mesh = &face.mesh;
+  subject.layers = anatomy::layer_names();
+  subject.layer_of_element.assign(face.mesh.n_elements(), 0);
+  for (std::size_t layer = 0; layer < subject.layers.size(); ++layer) {
+    for (const Index e : face.mesh.elements(subject.layers[layer])) {
+      subject.layer_of_element[at(e)] = static_cast<int>(layer);
+    }
+  }
+  for (const anatomy::Landmark& landmark : face.landmarks) {
+    subject.landmarks.push_back({landmark.name, landmark.meaning, landmark.node});
+  }
+  for (const anatomy::LandmarkPair& pair : face.pairs)
+    subject.pairs.push_back({pair.a, pair.b});
+  for (const anatomy::Muscle& muscle : model.muscles)
+    subject.muscles.push_back({muscle.name, muscle.elements});
+  return subject;
+}
+
+results::Snapshot make_snapshot(const FaceModel& model, const mechanics::State& state,
+                                const mechanics::Controls& controls) {
+  results::Snapshot snapshot;
+  snapshot.state = state;
+  snapshot.controls = controls;
+  for (const mechanics::ElementMeans& means : model.solid->means(state, controls)) {
+    snapshot.sigma.push_back(means.sigma);
+    snapshot.J.push_back(means.J);
+  }
+  return snapshot;
+}
+
+namespace {
+
+/// For the terminal: the landmarks of the paper and what stands beside them (PH_buried beside PH); all of a face that
+/// has none of those. The tables in the folder hold every landmark.
+void keep_main_landmarks(const anatomy::FaceAnatomy& face,
+                         std::vector<results::LandmarkMeasure>& measures) {
+  std::vector<std::string> main;
+  for (const anatomy::Landmark& landmark : face.landmarks) {
+    if (landmark.in_paper) main.push_back(landmark.name);
+  }
+  if (main.empty()) return;
+  std::erase_if(measures, [&](const results::LandmarkMeasure& measure) {
+    const std::string stem = measure.landmark.substr(0, measure.landmark.find('_'));
+    return std::ranges::find(main, stem) == main.end();
+  });
+}
+
+}  // namespace
+
+Recorder::Recorder(const FaceModel& model, const Scenario& scenario, const RunOptions& options,
+                   solve::Observer& listener)
+    : model_(model),
+      scenario_(scenario),
+      options_(options),
+      listener_(listener),
+      subject_(make_subject(model)),
+      fields_(subject_, options.out),
+      start_(std::chrono::steady_clock::now()),
+      last_(start_) {
+  results::prepare_folder(options_.out, options_.force);
+  log_.emplace(options_.out / "log.jsonl");
+  const std::string resolved = to_yaml(scenario_);
+  write_file(options_.out / "scenario.yaml", resolved);
+  summary_.version = options_.version;
+  summary_.settings_json = settings_json(resolved);
+  write_summary();
+}
+
+void Recorder::increment_begins(const solve::Increment& increment) {
+  results::IncrementRecord& record = summary_.convergence.emplace_back();
+  record.step = increment.step;
+  record.step_number = increment.step_number;
+  record.number = increment.number;
+  record.from = increment.from;
+  record.to = increment.to;
+  listener_.increment_begins(increment);
+}
+
+void Recorder::iteration_done(const solve::Increment& increment,
+                              const solve::Iteration& iteration) {
+  results::IncrementRecord& record = summary_.convergence.back();
+  record.iterations.push_back({iteration.number, iteration.residual, iteration.relative,
+                               iteration.correction, iteration.step_length, iteration.shift,
+                               iteration.factorisations, iteration.exact});
+  log_->iteration(record, record.iterations.back());
+  listener_.iteration_done(increment, iteration);
+}
+
+void Recorder::increment_ends(const solve::Increment& increment, const solve::IncrementEnd& end) {
+  results::IncrementRecord& record = summary_.convergence.back();
+  record.converged = end.converged;
+  record.reason = end.reason;
+  record.worst_node = end.worst_node;
+  record.inadmissible_element = end.inadmissible.element;
+  record.inadmissible_J = end.inadmissible.J;
+  log_->increment(record);
+  write_file(options_.out / "convergence.txt", results::convergence_text(summary_.convergence));
+  listener_.increment_ends(increment, end);
+}
+
+const mechanics::State* Recorder::rest_state() const {
+  return rest_ ? &snapshots_[*rest_].state : nullptr;
+}
+
+void Recorder::step_ends(results::Snapshot snapshot, bool is_rest) {
+  snapshots_.push_back(std::move(snapshot));
+  if (is_rest) rest_ = snapshots_.size() - 1;
+  const results::Snapshot& last = snapshots_.back();
+  if (scenario_.output.fields == "steps") fields_.add(last, rest_state());
+  summary_.headlines.push_back(results::make_headline(subject_, last, rest_state()));
+  write_tables();
+  write_summary();
+}
+
+void Recorder::write_tables() const {
+  const results::History history{snapshots_, rest_};
+  write_file(options_.out / "landmarks.csv", results::landmarks_csv(subject_, history));
+  write_file(options_.out / "distances.csv", results::distances_csv(subject_, history));
+}
+
+void Recorder::write_summary() const {
+  write_file(options_.out / "summary.json", results::to_json(summary_));
+}
+
+void Recorder::draw(int threads) {
+  if (snapshots_.empty() || !scenario_.output.pictures || !options_.pictures) return;
+  const results::PictureOptions options{
+      .title = scenario_.title.empty() ? scenario_.name : scenario_.title,
+      .subject = model_.face.source,
+      .threads = threads};
+  const results::Snapshot* rest = rest_ ? &snapshots_[*rest_] : nullptr;
+  results::write_pictures(subject_, rest, snapshots_.back(), options_.out / "figures", options);
+}
+
+void Recorder::finish(results::Status status, const std::string& reason, Index element) {
+  if (scenario_.output.fields == "last" && !snapshots_.empty())
+    fields_.add(snapshots_.back(), rest_state());
+  summary_.status = status;
+  summary_.reason = reason;
+  if (element >= 0) summary_.where = results::place_of(subject_, element);
+  write_summary();
+}
+
+void Recorder::time(const std::string& name) {
+  const auto now = std::chrono::steady_clock::now();
+  summary_.timings.emplace_back(name, std::chrono::duration<double>(now - last_).count());
+  last_ = now;
+}
+
+double Recorder::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+std::string Recorder::closing_text() const {
+  if (summary_.headlines.empty()) return {};
+  std::vector<results::PublishedValue> published;
+  if (model_.face.is_reference_face) {
+    published = results::about_expression(
+        results::read_published(options_.data / "published" / "flynn2015.csv"), scenario_.name);
+  }
+  results::Headline headline = summary_.headlines.back();
+  keep_main_landmarks(model_.face, headline.landmarks);
+  return results::closing_text(headline, published);
+}
+
+}  // namespace facies::scenario

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "facies/scenario/stepper.hpp"
+
+#include <algorithm>
+
+namespace facies::scenario {
+
+solve::StepSettings step_settings(const SolverChoice& choice) {
+  solve::StepSettings settings;
+  settings.newton.relative_tolerance = choice.relative_tolerance;
+  settings.newton.max_iterations = choice.max_iterations;
+  settings.max_increments = choice.max_increments;
+  settings.first_increment = choice.first_increment;
+  settings.smallest_increment = choice.smallest_increment;
+  return settings;
+}
+
+Stepper::Stepper(const FaceModel& model, const Scenario& scenario)
+    : model_(model), scenario_(scenario), state_(model.model.initial_state()) {
+  controls_.activation.assign(model.muscles.size(), 0.0);
+}
+
+/// From now on these unknowns stay where they are.
+void Stepper::hold(const std::vector<Index>& unknowns) {
+  const bool same = equilibrium_ && std::ranges::equal(equilibrium_->prescribed(), unknowns);
+  if (!same) equilibrium_ = std::make_unique<solve::Equilibrium>(model_.model, unknowns);
+}
+
+solve::StepReport Stepper::drive(const mechanics::Controls& from, const mechanics::Controls& to,
+                                 const solve::Increment& label, solve::Observer& observer) {
+  std::vector<double> places;
+  places.reserve(equilibrium_->prescribed().size());
+  for (const Index dof : equilibrium_->prescribed())
+    places.push_back(state_.u[at(dof / 3)](dof % 3));
+  const solve::StepReport report = solve::advance(*equilibrium_, state_, from, to, places,
+                                                  step_settings(scenario_.solver), label, observer);
+  controls_ = mechanics::interpolate(from, to, report.reached);
+  return report;
+}
+
+/// The forces that would keep every free node where it is.
+std::vector<Vec3> Stepper::holding_forces() const {
+  std::vector<double> r(model_.model.n_dofs());
+  const bool admissible = model_.model.residual(state_, controls_, r);
+  require(admissible, "a converged state is admissible");
+  for (const Index dof : equilibrium_->prescribed())
+    r[at(dof)] = 0.0;
+  std::vector<Vec3> forces;
+  for (std::size_t node = 0; node < model_.model.n_nodes(); ++node) {
+    forces.emplace_back(r[3 * node], r[3 * node + 1], r[3 * node + 2]);
+  }
+  return forces;
+}
+
+/// The mesh as read is the stress-free face stretched by the pre-stretch, every node at its place in the file. Held
+/// nodes stay there; the forces that keep the others there are taken away: the end of the paper's first step.
+solve::StepReport Stepper::tension(const solve::Increment& label, solve::Observer& observer) {
+  hold(model_.held_in_tension);
+  return let_go(controls_, label, observer);
+}
+
+/// What held the nodes that become free is first put on as forces, then taken away.
+solve::StepReport Stepper::release(const solve::Increment& label, solve::Observer& observer) {
+  hold(model_.held_after_release);
+  mechanics::Controls to = controls_;
+  if (scenario_.gravity.from == "release") to.gravity = scenario_.gravity.vector();
+  return let_go(to, label, observer);
+}
+
+solve::StepReport Stepper::let_go(const mechanics::Controls& to, const solve::Increment& label,
+                                  solve::Observer& observer) {
+  mechanics::Controls from = controls_;
+  from.nodal_force = holding_forces();
+  const solve::StepReport report = drive(from, to, label, observer);
+  if (report.converged) controls_.nodal_force.clear();
+  return report;
+}
+
+solve::StepReport Stepper::express(const ExpressStep& step, const solve::Increment& label,
+                                   solve::Observer& observer) {
+  if (!equilibrium_) hold(model_.held_after_release);
+  mechanics::Controls to = controls_;
+  to.gravity = scenario_.gravity.vector();
+  for (std::size_t m = 0; m < model_.muscles.size(); ++m) {
+    to.activation[m] = activation_of(step, model_.muscles[m].name, model_.muscles[m].group);
+  }
+  return drive(controls_, to, label, observer);
+}
+
+solve::StepReport Stepper::take(int number, solve::Observer& observer) {
+  const Step& step = scenario_.steps.at(static_cast<std::size_t>(number - 1));
+  solve::Increment label;
+  label.step = step_name(step);
+  label.step_number = number;
+  label.n_steps = static_cast<int>(scenario_.steps.size());
+  if (std::holds_alternative<TensionStep>(step)) return tension(label, observer);
+  if (std::holds_alternative<ReleaseStep>(step)) return release(label, observer);
+  return express(std::get<ExpressStep>(step), label, observer);
+}
+
+}  // namespace facies::scenario

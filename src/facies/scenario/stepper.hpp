@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Carries out the steps of a scenario on a model: what each verb holds, drives and releases.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "facies/scenario/build_model.hpp"
+#include "facies/solve/step.hpp"
+
+namespace facies::scenario {
+
+/// Settings of the solution procedure from what the scenario says.
+[[nodiscard]] solve::StepSettings step_settings(const SolverChoice& choice);
+
+/// A face on its way through the steps. State and controls are those of the last converged increment.
+class Stepper {
+ public:
+  /// Both must outlive the stepper. Needs a solve::Session.
+  Stepper(const FaceModel& model, const Scenario& scenario);
+
+  /// Carries out step `number` (from 1).
+  [[nodiscard]] solve::StepReport take(int number, solve::Observer& observer);
+
+  [[nodiscard]] const mechanics::State& state() const { return state_; }
+  [[nodiscard]] const mechanics::Controls& controls() const { return controls_; }
+
+ private:
+  [[nodiscard]] solve::StepReport tension(const solve::Increment& label, solve::Observer& observer);
+  [[nodiscard]] solve::StepReport release(const solve::Increment& label, solve::Observer& observer);
+  [[nodiscard]] solve::StepReport express(const ExpressStep& step, const solve::Increment& label,
+                                          solve::Observer& observer);
+  [[nodiscard]] solve::StepReport drive(const mechanics::Controls& from,
+                                        const mechanics::Controls& to,
+                                        const solve::Increment& label, solve::Observer& observer);
+  [[nodiscard]] solve::StepReport let_go(const mechanics::Controls& to,
+                                         const solve::Increment& label, solve::Observer& observer);
+  [[nodiscard]] std::vector<Vec3> holding_forces() const;
+  void hold(const std::vector<Index>& unknowns);
+
+  const FaceModel& model_;
+  const Scenario& scenario_;
+  mechanics::State state_;
+  mechanics::Controls controls_;
+  std::unique_ptr<solve::Equilibrium> equilibrium_;
+};
+
+}  // namespace facies::scenario
