@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// facies list: what can be named in a scenario or on the command line.
+#include <iostream>
+#include <memory>
+
+#include "apps/facies/commands.hpp"
+#include "apps/facies/errors.hpp"
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "facies/anatomy/sources.hpp"
+#include "facies/material/catalog.hpp"
+#include "facies/scenario/folders.hpp"
+#include "facies/scenario/read_scenario.hpp"
+
+namespace facies::cli {
+
+namespace {
+
+void list_scenarios() {
+  for (const auto& file : scenario::shipped_scenarios(scenario::home_folder())) {
+    const scenario::Reading reading = scenario::read_file_reporting(file);
+    std::cout << fmt::format("{:<16} {}\n", file.stem().string(), reading.scenario.title);
+  }
+}
+
+template <class Spec>
+void list_law(const Spec& law, const char* kind) {
+  std::cout << fmt::format("{} ({}): {}\n  {}\n", law.name, kind, law.summary, law.source);
+  for (const material::ParamSpec& parameter : law.parameters) {
+    const std::string unit = parameter.unit.empty() ? "" : fmt::format(" [{}]", parameter.unit);
+    const std::string standard =
+        parameter.default_value ? fmt::format(", without it {:g}", *parameter.default_value) : "";
+    std::cout << fmt::format("  {:<20} {}{}\n", parameter.name + unit, parameter.meaning, standard);
+  }
+}
+
+void list_laws() {
+  for (const auto& law : material::laws())
+    list_law(law, "skin, hypodermis");
+  for (const auto& law : material::volumetric_laws())
+    list_law(law, "volume");
+  for (const auto& law : material::fibre_laws())
+    list_law(law, "muscle");
+}
+
+void list_presets() {
+  for (const material::Preset& preset : material::presets()) {
+    std::cout << fmt::format("{} ({}): {}\n ", preset.name, preset.law, preset.source);
+    for (const auto& [name, value] : preset.values)
+      std::cout << fmt::format(" {} {:g}", name, value);
+    std::cout << '\n';
+    if (!preset.note.empty()) std::cout << "  " << preset.note << '\n';
+  }
+}
+
+void list_faces() {
+  for (const anatomy::SourceSpec& source : anatomy::sources()) {
+    std::cout << fmt::format("{:<24} {}\n", source.usage, source.summary);
+  }
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, Action& action) {
+  CLI::App* sub = app.add_subcommand("list",
+                                     "List scenarios that ship, laws, presets or faces.\n\n"
+                                     "Examples:\n"
+                                     "  facies list scenarios\n"
+                                     "  facies list presets\n");
+  auto what = std::make_shared<std::string>();
+  sub->add_option("what", *what, "scenarios, laws, presets or faces")
+      ->required()
+      ->type_name("WHAT")
+      ->check(CLI::IsMember({"scenarios", "laws", "presets", "faces"}));
+  sub->callback([what, &action] {
+    action = [what] {
+      if (*what == "scenarios") list_scenarios();
+      if (*what == "laws") list_laws();
+      if (*what == "presets") list_presets();
+      if (*what == "faces") list_faces();
+      return exit_status::done;
+    };
+  });
+}
+
+}  // namespace facies::cli
