@@ -32,7 +32,7 @@ skin: {law: fung_orthotropic, c: 0.1 MPa, kappa: 123.456789 kPa, volumetric: vol
 hypodermis: {law: mooney_rivlin, preset: none, C10: 0.3333333333333333 kPa, kappa: 7 kPa}
 muscle: {P1: 0.07, passive: sigma_max, radius: 0.123 cm}
 solver: {relative_tolerance: 3.3e-7, smallest_increment: 0.01, threads: 2}
-output: {pictures: no, fields: increments}
+output: {pictures: no, fields: last}
 steps: [tension: {tsf: 1.0999999999999999}, release, express: {"no": 0.1, ZYG_L: 0.3}, express: {ZYG: 1}]
 )"));
 }

@@ -151,9 +151,8 @@ std::vector<Field> run_fields() {
        {.doc = "Draw pictures."},
        [](Scenario& s) { return &s.output.pictures; }},
       {"output.fields",
-       {.doc = "Field files for ParaView: none, of the last state, after all steps, or of all "
-               "increments.",
-        .choices = {"none", "last", "steps", "increments"}},
+       {.doc = "Field files for ParaView: none, of the last state, or after all steps.",
+        .choices = {"none", "last", "steps"}},
        [](Scenario& s) { return &s.output.fields; }},
   };
 }
