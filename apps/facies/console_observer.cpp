@@ -59,8 +59,7 @@ void ConsoleObserver::increment_ends(const solve::Increment& increment,
                   label(increment), increment.number, increment.from, increment.to,
                   end.converged ? "converged" : "not converged", end.iterations, end.reason);
   if (!end.converged && end.inadmissible.element >= 0) {
-    text += fmt::format("; element {} would turn inside out (det F = {:.2g})",
-                        end.inadmissible.element + 1, end.inadmissible.J);
+    text += "; " + mechanics::describe(end.inadmissible);
   }
   out_ << text << '\n' << std::flush;
 }

@@ -31,7 +31,7 @@ void print_mesh(const mesh::QualityReport& report) {
   const auto& worst = report.elements[at(report.worst.front())];
   std::cout << fmt::format(
       "smallest scaled Jacobian {:.3f} (element {}); elements inverted at a node: {}\n",
-      worst.scaled_jacobian_gauss, report.worst.front() + 1, report.inverted_corners.size());
+      worst.scaled_jacobian_gauss, report.worst.front(), report.inverted_corners.size());
 }
 
 void print_layers(const mesh::QualityReport& report) {
@@ -71,7 +71,7 @@ void print_landmarks(const anatomy::FaceAnatomy& face) {
   for (const anatomy::Landmark& landmark : face.landmarks) {
     const Vec3& X = face.mesh.X()[at(landmark.node)];
     std::cout << fmt::format("{:<10} {:>6} {:>9.2f} {:>9.2f} {:>9.2f}   {}\n", landmark.name,
-                             landmark.node + 1, X.x(), X.y(), X.z(), landmark.meaning);
+                             landmark.node, X.x(), X.y(), X.z(), landmark.meaning);
   }
 }
 
@@ -100,12 +100,13 @@ int carry_out(const InfoCommand& command) {
 
 void add_info(CLI::App& app, Action& action) {
   auto command = std::make_shared<InfoCommand>();
-  CLI::App* sub = app.add_subcommand("info",
-                                     "Print what is in a face: counts, layers, quality, muscles, "
-                                     "landmarks. Node and element numbers count from 1.\n\n"
-                                     "Examples:\n"
-                                     "  facies info --face artisynth:DIR\n"
-                                     "  facies info --face patch\n");
+  CLI::App* sub =
+      app.add_subcommand("info",
+                         "Print what is in a face: counts, layers, quality, muscles, "
+                         "landmarks. Node and element numbers count from 0, as in the results.\n\n"
+                         "Examples:\n"
+                         "  facies info --face artisynth:DIR\n"
+                         "  facies info --face patch\n");
   sub->add_option("--face", command->face, "whose face (facies list faces)")
       ->type_name("SPEC")
       ->capture_default_str();

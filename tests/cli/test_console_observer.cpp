@@ -75,7 +75,7 @@ TEST(ConsoleObserver, SaysWhichElementStoodInTheWay) {
   observer.increment_ends({"express", 3, 3, 1, 0.0, 1.0}, end);
   EXPECT_THAT(
       out.str(),
-      HasSubstr("not converged after 0 iterations (no admissible step); element 18 would turn "
+      HasSubstr("not converged after 0 iterations (no admissible step); element 17 would be "
                 "inside out (det F = -0.25)"));
 }
 

@@ -115,6 +115,28 @@ TEST_P(SolidOnABlock, NamesTheElementThatIsInsideOut) {
   EXPECT_EQ(model.model.energy(state, half_active), std::numeric_limits<double>::infinity());
 }
 
+TEST_P(SolidOnABlock, NamesTheElementThatHasGrownTheMostBeyondItsLaw) {
+  // F0 has the volume 1.5: at 4.9 times the volume of the mesh J is 7.35 (e^2 is 7.389), at 5 times 7.5.
+  const Mat3 F0 = std::cbrt(1.5) * Mat3::Identity();
+  const SolidModel model(mesh_, muscle_tissue(mesh_, F0, Vec3::UnitX()));
+  const auto grown = [&](double volume) {
+    return support::affine_state(mesh_, std::cbrt(volume) * Mat3::Identity());
+  };
+  EXPECT_EQ(model.model.overgrown(model.model.initial_state()).element, -1);
+  EXPECT_EQ(model.model.overgrown(grown(4.9)).element, -1);
+  State state = grown(5.0);
+  const Inadmissible found = model.model.overgrown(state);
+  EXPECT_GE(found.element, 0);
+  EXPECT_NEAR(found.J, 7.5, 1e-12);
+
+  const Index last = to_index(mesh_.n_elements()) - 1;
+  state.u[at(mesh_.element(last).connectivity().back())] += Vec3(0.1, 0.1, 0.1);
+  const auto touched = mesh_.element(model.model.overgrown(state).element).connectivity();
+  EXPECT_NE(std::find(touched.begin(), touched.end(), mesh_.element(last).connectivity().back()),
+            touched.end());
+  EXPECT_GT(model.model.overgrown(state).J, 7.5);
+}
+
 TEST_P(SolidOnABlock, DoesNotAcceptNotANumber) {
   const SolidModel model(mesh_, muscle_tissue(mesh_, Mat3::Identity(), Vec3::UnitX()));
   State state = model.model.initial_state();
@@ -153,7 +175,7 @@ TEST(Solid, RefusesElementsThatAreInsideOutOrFlat) {
     FAIL() << "accepted";
   } catch (const DataError& error) {
     ASSERT_EQ(error.problems().size(), 1U);
-    EXPECT_EQ(error.problems()[0].where, "element 2");
+    EXPECT_EQ(error.problems()[0].where, "element 1 (counted from 0)");
     EXPECT_THAT(error.problems()[0].found, HasSubstr("inverted or flat"));
   }
   for (const Index node : good.nodes("x_max"))
@@ -173,7 +195,7 @@ TEST(Solid, RefusesMoreFibreFamiliesThanAnElementCanCarry) {
     const Solid solid(mesh, description, 1);
     FAIL() << "accepted";
   } catch (const DataError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("element 1"));
+    EXPECT_THAT(error.what(), HasSubstr("element 0 (counted from 0)"));
     EXPECT_THAT(error.what(), HasSubstr("17 muscles"));
     EXPECT_THAT(error.what(), HasSubstr("at most 16"));
   }

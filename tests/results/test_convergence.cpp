@@ -24,16 +24,17 @@ std::vector<IncrementRecord> some_increments() {
       1.0,
       {{0, 100.0, 1.0}, {1, 3.0, 0.03, 2.5, 1.0, 0.1, 3}, {2, 1e-7, 1e-9, 0.01, 1.0, 0.0, 1}},
       true,
-      "residual small"};
+      "residual small",
+      -1,
+      {}};
   IncrementRecord failed{
-      "express",    2, 1, 0.0, 1.0, {{0, 50.0, 1.0}, {1, 70.0, 1.4, 9.0, 0.1, 0.5, 2}}, false,
-      "no decrease"};
+      "express",     2,  1, 0.0, 1.0, {{0, 50.0, 1.0}, {1, 70.0, 1.4, 9.0, 0.1, 0.5, 2}}, false,
+      "no decrease", -1, {}};
   failed.worst_node = 12;
-  failed.inadmissible_element = 7;
-  failed.inadmissible_J = -0.25;
+  failed.inadmissible = {7, -0.25};
   IncrementRecord half{
-      "express",       2, 2, 0.0, 0.5, {{0, 25.0, 1.0}, {1, 1e-6, 1e-8, 1.0, 1.0, 0.0, 1}}, true,
-      "residual small"};
+      "express",        2,  2, 0.0, 0.5, {{0, 25.0, 1.0}, {1, 1e-6, 1e-8, 1.0, 1.0, 0.0, 1}}, true,
+      "residual small", -1, {}};
   return {tension, failed, half};
 }
 
@@ -59,7 +60,7 @@ TEST(ConvergenceText, HasARowForEveryIterationAndSaysWhatWentWrong) {
   EXPECT_THAT(text, HasSubstr("3.0000e+00   3.0000e-02   2.5000e+00   1.0000   1.00e-01      3"));
   EXPECT_THAT(text, HasSubstr("converged: residual small"));
   EXPECT_THAT(text, HasSubstr("NOT CONVERGED: no decrease; largest residual at node 12; element 7 "
-                              "turned inside out (J = -0.25)"));
+                              "would be inside out (det F = -0.25)"));
 }
 
 class Log : public InFolder {};

@@ -18,7 +18,7 @@ Summary some_summary(const SheetSubject& sheet) {
   summary.settings_json = R"({"zygomaticus": 0.5, "axis": [1, 2]})";
   summary.inputs = {{"face.node", "sha256:00ff"}};
   summary.convergence = {
-      {"tension", 1, 1, 0.0, 1.0, {{0}, {1, 1.0, 0.1, 1.0, 1.0, 0.0, 2}}, true, "ok"}};
+      {"tension", 1, 1, 0.0, 1.0, {{0}, {1, 1.0, 0.1, 1.0, 1.0, 0.0, 2}}, true, "ok", -1, {}}};
   Snapshot snapshot = sheet.affine("tension", 1, Vec3(1.0, 1.2, 1.0).asDiagonal(), Vec3::Zero());
   snapshot.J[5] = 2.0;
   summary.headlines = {make_headline(*sheet, snapshot, nullptr)};

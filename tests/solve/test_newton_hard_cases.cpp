@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Equilibrium where a textbook's Newton method fails: inverted trial states, indefinite tangents, problems without solution.
+#include <array>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <limits>
@@ -58,7 +59,7 @@ TEST(Newton, PassesByTrialStatesThatAreInsideOut) {
   Heard heard;
   Equilibrium equilibrium(block.model, held.dofs);
   const NewtonReport report =
-      equilibrium.solve(state, loaded_top(block.mesh, {0, 0, -60}), held.values, {}, heard.listen);
+      equilibrium.solve(state, loaded_top(block.mesh, {0, 0, -30}), held.values, {}, heard.listen);
   EXPECT_TRUE(report.converged) << report.reason;
   EXPECT_GE(report.inadmissible.element, 0) << "the case does not test what it should";
   EXPECT_LE(report.inadmissible.J, 0.0);
@@ -123,6 +124,61 @@ TEST_F(Column, BucklesThroughIndefiniteTangents) {
   EXPECT_TRUE(heard.met_indefinite) << "the case does not test what it should";
   EXPECT_GT(std::abs(sway(state)), 1.0);
   EXPECT_EQ(negative_eigenvalues(state), 0) << "a stable equilibrium";
+}
+
+TEST_F(Column, HasLessEnergyBentThanStraight) {
+  const NewtonSettings exact{.relative_tolerance = 1e-8};
+  // Held in its plane of symmetry it stays straight; nothing pushes on that hold, so it is an equilibrium without it too.
+  Supports supports;
+  supports.clamp(column_.mesh.nodes("z_min"));
+  supports.hold(column_.mesh.nodes("z_max"), 2, -1.0);
+  supports.hold(column_.mesh.nodes("z_max"), 1, 0.0);
+  for (Index node = 0; node < to_index(column_.mesh.n_nodes()); ++node) {
+    const Vec3& X = column_.mesh.X()[at(node)];
+    if (X.z() > 0.0 && std::abs(X.x() - 0.5) < 1e-9) supports.hold(std::array{node}, 0, 0.0);
+  }
+  State straight = column_.model.initial_state();
+  const NewtonReport held =
+      solve_equilibrium(column_.model, straight, {}, supports.prescribed(), exact);
+  ASSERT_TRUE(held.converged) << held.reason;
+  Equilibrium free_sideways(column_.model, pressed_.dofs);
+  EXPECT_LE(free_sideways.residual_norm(straight, {}), 1e-5);
+  EXPECT_GT(negative_eigenvalues(straight), 0) << "an equilibrium that is not stable";
+
+  State bent = column_.model.initial_state();
+  for (std::size_t node = 0; node < bent.u.size(); ++node)
+    bent.u[node].x() = 1e-3 * std::sin(0.15 * column_.mesh.X()[node].z());
+  const NewtonReport buckled = solve_equilibrium(column_.model, bent, {}, pressed_, exact);
+  ASSERT_TRUE(buckled.converged) << buckled.reason;
+  EXPECT_LT(column_.model.energy(bent, {}), 0.9 * column_.model.energy(straight, {}));
+}
+
+TEST(Newton, DoesNotCallTornTissueAnAnswer) {
+  // Pulled harder than the volumetric law can hold (3 kappa / e), the block flies apart and its energy falls for ever.
+  const SolidModel block = make_block_model({.n = {2, 2, 2}}, "fung_orthotropic");
+  State state = block.model.initial_state();
+  const NewtonReport report = solve_equilibrium(
+      block.model, state, loaded_top(block.mesh, {0, 0, 200}),
+      Supports().clamp(block.mesh.nodes("z_min")).prescribed(), {.max_iterations = 500});
+  EXPECT_FALSE(report.converged);
+  EXPECT_THAT(report.reason, HasSubstr("tears"));
+  EXPECT_GE(report.inadmissible.element, 0);
+  EXPECT_GT(report.inadmissible.J, std::exp(2.0));
+  EXPECT_LT(report.iterations, 100);
+}
+
+TEST(Newton, RefusesABalanceWhereALawNoLongerHolds) {
+  // Blown up to more than e^2 times its volume and held there: in balance, and torn.
+  const SolidModel block = make_block_model({.n = {1, 1, 1}}, "mooney_rivlin");
+  const double lambda = 2.0;  // J = 8
+  State state = support::affine_state(block.mesh, lambda * Mat3::Identity());
+  Supports all;
+  for (Index node = 0; node < to_index(block.mesh.n_nodes()); ++node)
+    all.place(node, state.u[at(node)]);
+  const NewtonReport report = solve_equilibrium(block.model, state, {}, all.prescribed());
+  EXPECT_FALSE(report.converged);
+  EXPECT_EQ(report.inadmissible.element, 0);
+  EXPECT_NEAR(report.inadmissible.J, lambda * lambda * lambda, 1e-12);
 }
 
 TEST(Newton, SaysWhereTheStateItStartsFromIsInsideOut) {

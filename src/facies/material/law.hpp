@@ -6,6 +6,8 @@
 // lambda_bar and J only; the projection onto the distortional space is done once for their sum (material/tissue.hpp).
 #pragma once
 
+#include <limits>
+
 #include "facies/math/dual2.hpp"
 #include "facies/math/voigt.hpp"
 
@@ -61,6 +63,10 @@ class VolumetricLaw {
   VolumetricLaw& operator=(VolumetricLaw&&) = delete;
   virtual ~VolumetricLaw() = default;
   [[nodiscard]] virtual VolumetricResponse respond(double J) const = 0;
+
+  /// J beyond which tissue of this law counts as torn: it gives way the more, the more it grows, and a balance that it
+  /// finds there is no answer. Infinity for a law that never gives way.
+  [[nodiscard]] virtual double tearing_J() const { return std::numeric_limits<double>::infinity(); }
 };
 
 /// psi_f and its derivatives by the distortional fibre stretch.

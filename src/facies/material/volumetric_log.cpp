@@ -7,10 +7,13 @@
 //   kappa   kappa   kPa   bulk modulus at rest
 //   J       J       -     volume over reference volume
 //
-// Validity     J > 0, infinite energy at J = 0. The pressure peaks at J = e; beyond it the law is not stable.
+// Validity     0 < J. Infinite energy at J = 0. The tension peaks at J = e; a single element may be held beyond by those
+//              around it. At J = e^2 it has fallen to three quarters of the peak: from there on tissue counts as torn
+//              (docs/decisions/torn-tissue.md).
 // Departures   none in the law; elements evaluate it at their mean dilatation (mechanics/solid.hpp).
 // Parameters   flynn2015: 250 kPa skin (Table 1), 50 kPa hypodermis (Table 2).
 #include <cmath>
+#include <numbers>
 
 #include "facies/material/catalog.hpp"
 
@@ -26,6 +29,8 @@ class VolumetricLog final : public VolumetricLaw {
     const double log_J = std::log(J);
     return {0.5 * kappa_ * log_J * log_J, kappa_ * log_J / J, kappa_ * (1.0 - log_J) / (J * J)};
   }
+
+  [[nodiscard]] double tearing_J() const override { return std::numbers::e * std::numbers::e; }
 
  private:
   double kappa_;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "facies/base/error.hpp"
 
 namespace facies::mechanics {
@@ -20,6 +22,25 @@ bool Model::residual(const State& state, const Controls& controls, std::span<dou
   std::fill(r.begin(), r.end(), 0.0);
   return std::all_of(terms_.begin(), terms_.end(),
                      [&](const auto& term) { return term->add_residual(state, controls, r, why); });
+}
+
+Inadmissible Model::overgrown(const State& state) const {
+  Inadmissible worst;
+  for (const auto& term : terms_) {
+    const Inadmissible found = term->overgrown(state);
+    if (found.element >= 0 && found.J > worst.J) worst = found;
+  }
+  return worst;
+}
+
+std::string describe(const Inadmissible& inadmissible) {
+  if (inadmissible.J > 0.0) {
+    return fmt::format(
+        "element {} has grown to {:.3g} times its stress-free volume, more than its law can hold",
+        inadmissible.element, inadmissible.J);
+  }
+  return fmt::format("element {} would be inside out (det F = {:.2g})", inadmissible.element,
+                     inadmissible.J);
 }
 
 }  // namespace facies::mechanics

@@ -35,6 +35,9 @@ class Model {
   [[nodiscard]] bool residual(const State& state, const Controls& controls, std::span<double> r,
                               Inadmissible* why = nullptr) const;
 
+  /// Where an admissible state lies beyond what the laws hold for (Term::overgrown); element -1: nowhere.
+  [[nodiscard]] Inadmissible overgrown(const State& state) const;
+
  private:
   std::size_t n_nodes_;
   std::vector<std::unique_ptr<const Term>> terms_;

@@ -8,13 +8,14 @@
 #include "facies/base/parallel.hpp"
 #include "facies/mechanics/colouring.hpp"
 #include "facies/mechanics/kinematics.hpp"
+#include "facies/mesh/quality.hpp"
 
 namespace facies::mechanics {
 
 namespace {
 
 std::string element_name(Index e) {
-  return "element " + std::to_string(e + 1);
+  return "element " + std::to_string(e) + " (counted from 0)";
 }
 
 void check_description(const mesh::Mesh& mesh, const SolidDescription& description) {
@@ -177,6 +178,18 @@ bool Solid::add_residual(const State& state, const Controls& controls, std::span
     return false;
   }
   return true;
+}
+
+Inadmissible Solid::overgrown(const State& state) const {
+  std::vector<Vec3> x(mesh_.X().begin(), mesh_.X().end());
+  for (std::size_t node = 0; node < x.size(); ++node)
+    x[node] += state.u[node];
+  Inadmissible worst;
+  for (std::size_t e = 0; e < V0_.size(); ++e) {
+    const double J = mesh::element_volume(mesh_, to_index(e), x) / V0_[e];
+    if (J > description_.volumetric[e]->tearing_J() && J > worst.J) worst = {to_index(e), J};
+  }
+  return worst;
 }
 
 void Solid::list_stencils(Stencils& stencils) const {

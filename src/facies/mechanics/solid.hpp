@@ -45,6 +45,7 @@ class Solid final : public Term {
   [[nodiscard]] double energy(const State& state, const Controls& controls) const override;
   [[nodiscard]] bool add_residual(const State& state, const Controls& controls, std::span<double> r,
                                   Inadmissible* why) const override;
+  [[nodiscard]] Inadmissible overgrown(const State& state) const override;
   void list_stencils(Stencils& stencils) const override;
   void add_tangent(const State& state, const Controls& controls, TangentSink& K) const override;
 

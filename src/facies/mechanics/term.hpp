@@ -5,6 +5,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -42,11 +43,16 @@ class TangentSink {
   virtual void add(std::size_t stencil, std::span<const double> block) = 0;
 };
 
-/// Why a trial state cannot be evaluated.
+/// Where a state is no state of this body: an element is inside out, or it has grown beyond what its volumetric law can
+/// hold (material::VolumetricLaw::tearing_J).
 struct Inadmissible {
   Index element = -1;
-  double J = 0.0;  ///< the determinant found, not positive
+  double J =
+      0.0;  ///< not positive: the determinant found inside out; positive: the volume it has grown to
 };
+
+/// "element 12 is inside out (det F = -0.3)", "element 12 has grown to 38.8 times its stress-free volume ...".
+[[nodiscard]] std::string describe(const Inadmissible& inadmissible);
 
 class Term {
  public:
@@ -66,6 +72,10 @@ class Term {
   /// if given, says where.
   [[nodiscard]] virtual bool add_residual(const State& state, const Controls& controls,
                                           std::span<double> r, Inadmissible* why) const = 0;
+
+  /// Where an admissible state lies beyond what the laws hold for, the worst of it; element -1: nowhere. Such states can
+  /// be evaluated, and iterations may pass through them, but an equilibrium there means nothing.
+  [[nodiscard]] virtual Inadmissible overgrown(const State& /*state*/) const { return {}; }
 
   /// The groups that add_tangent fills, in its numbering. Fixed for the life of the term.
   virtual void list_stencils(Stencils& /*stencils*/) const {}

@@ -15,9 +15,8 @@ std::string outcome(const IncrementRecord& increment) {
   if (!increment.converged && increment.worst_node >= 0) {
     text += fmt::format("; largest residual at node {}", increment.worst_node);
   }
-  if (!increment.converged && increment.inadmissible_element >= 0) {
-    text += fmt::format("; element {} turned inside out (J = {:.3g})",
-                        increment.inadmissible_element, increment.inadmissible_J);
+  if (!increment.converged && increment.inadmissible.element >= 0) {
+    text += "; " + mechanics::describe(increment.inadmissible);
   }
   return text;
 }

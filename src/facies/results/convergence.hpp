@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "facies/base/index.hpp"
+#include "facies/mechanics/term.hpp"
 
 namespace facies::results {
 
@@ -33,9 +33,8 @@ struct IncrementRecord {
   std::vector<IterationRecord> iterations;
   bool converged = false;
   std::string reason;
-  Index worst_node = -1;            ///< carries the largest remaining residual; -1: not known
-  Index inadmissible_element = -1;  ///< the last element that stood in the way; -1: none
-  double inadmissible_J = 0.0;      ///< its determinant
+  Index worst_node = -1;                 ///< carries the largest remaining residual; -1: not known
+  mechanics::Inadmissible inadmissible;  ///< the last element that stood in the way, if any
 
   [[nodiscard]] int factorisations() const;
   /// Corrections made: the iterations without number 0.

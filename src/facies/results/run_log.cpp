@@ -64,9 +64,9 @@ void RunLog::increment(const IncrementRecord& increment) {
   line["iterations"] = increment.corrections();
   line["factorisations"] = increment.factorisations();
   if (increment.worst_node >= 0) line["worst_node"] = increment.worst_node;
-  if (increment.inadmissible_element >= 0) {
-    line["inadmissible_element"] = increment.inadmissible_element;
-    line["inadmissible_J"] = increment.inadmissible_J;
+  if (increment.inadmissible.element >= 0) {
+    line["inadmissible_element"] = increment.inadmissible.element;
+    line["inadmissible_J"] = increment.inadmissible.J;
   }
   write_line(line.dump(-1, ' ', false, Json::error_handler_t::replace));
 }

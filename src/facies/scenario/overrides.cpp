@@ -18,13 +18,13 @@ bool is_step_kind(const std::string& word) {
                      [&](const StepKind& kind) { return kind.name == word; });
 }
 
-bool is_step_of_kind(const Node& step, const std::string& kind) {
-  if (step.kind == Node::Kind::scalar) return step.text == kind;
+bool is_step_of_kind(const YamlNode& step, const std::string& kind) {
+  if (step.kind == YamlNode::Kind::scalar) return step.text == kind;
   return step.find(kind) != nullptr;
 }
 
 /// "tension.tsf" -> "steps.1.tension.tsf", cut at its points. Empty and a problem where that is not possible.
-std::vector<std::string> full_path(const Node& root, const Override& change,
+std::vector<std::string> full_path(const YamlNode& root, const Override& change,
                                    const std::string& where, Problems& problems) {
   std::vector<std::string> path;
   for (const std::string_view part : split(change.key, '.'))
@@ -34,7 +34,7 @@ std::vector<std::string> full_path(const Node& root, const Override& change,
     return {};
   }
   if (!is_step_kind(path.front())) return path;
-  const Entry* steps = root.find("steps");
+  const YamlEntry* steps = root.find("steps");
   std::vector<std::size_t> found;
   for (std::size_t i = 0; steps != nullptr && i < steps->value.items.size(); ++i) {
     if (is_step_of_kind(steps->value.items[i], path.front())) found.push_back(i + 1);
@@ -50,7 +50,8 @@ std::vector<std::string> full_path(const Node& root, const Override& change,
 }
 
 /// The part of a list that `word` counts, from 1; nullptr and a problem where there is none.
-Node* item_of(Node& list, const std::string& word, const std::string& where, Problems& problems) {
+YamlNode* item_of(YamlNode& list, const std::string& word, const std::string& where,
+                  Problems& problems) {
   const auto number = parse_integer(word);
   if (number && *number >= 1 && static_cast<std::size_t>(*number) <= list.items.size()) {
     return &list.items[static_cast<std::size_t>(*number - 1)];
@@ -62,23 +63,26 @@ Node* item_of(Node& list, const std::string& word, const std::string& where, Pro
 }
 
 /// The value at `word` below `node`, made where it is missing; nullptr and a problem where nothing can be below.
-Node* descend(Node& node, const std::string& word, const std::string& where, Problems& problems) {
-  if (node.kind == Node::Kind::sequence) return item_of(node, word, where, problems);
-  if (node.kind == Node::Kind::scalar && node.text == word) {  // the step "- tension" in short form
-    node.entries.push_back({node.text, node.where, {Node::Kind::nothing, {}, {}, {}, node.where}});
-    node.kind = Node::Kind::mapping;
+YamlNode* descend(YamlNode& node, const std::string& word, const std::string& where,
+                  Problems& problems) {
+  if (node.kind == YamlNode::Kind::sequence) return item_of(node, word, where, problems);
+  if (node.kind == YamlNode::Kind::scalar &&
+      node.text == word) {  // the step "- tension" in short form
+    node.entries.push_back(
+        {node.text, node.where, {YamlNode::Kind::nothing, {}, {}, {}, node.where}});
+    node.kind = YamlNode::Kind::mapping;
   }
-  if (node.kind == Node::Kind::nothing) node.kind = Node::Kind::mapping;
-  if (node.kind != Node::Kind::mapping) {
+  if (node.kind == YamlNode::Kind::nothing) node.kind = YamlNode::Kind::mapping;
+  if (node.kind != YamlNode::Kind::mapping) {
     problems.add({where, fmt::format("nothing can stand below {} ({})", describe(node), node.where),
                   "", ""});
     return nullptr;
   }
-  if (Entry* entry = node.find(word)) {
+  if (YamlEntry* entry = node.find(word)) {
     entry->where = where;
     return &entry->value;
   }
-  node.entries.push_back({word, where, {Node::Kind::nothing, {}, {}, {}, where}});
+  node.entries.push_back({word, where, {YamlNode::Kind::nothing, {}, {}, {}, where}});
   return &node.entries.back().value;
 }
 
@@ -96,14 +100,14 @@ Override parse_override(const std::string& text) {
   return change;
 }
 
-void apply_override(Node& root, const Override& change, Problems& problems) {
+void apply_override(YamlNode& root, const Override& change, Problems& problems) {
   const std::string where = "--set " + change.key;
   Problems wrong;
-  Node value = parse_yaml(change.value, {where, false}, wrong);
+  YamlNode value = parse_yaml(change.value, {where, false}, wrong);
   const std::vector<std::string> path = full_path(root, change, where, wrong);
   problems.add(wrong.list());
   if (!wrong.empty()) return;
-  Node* place = &root;
+  YamlNode* place = &root;
   for (const std::string& word : path) {
     place = descend(*place, word, where, problems);
     if (place == nullptr) return;

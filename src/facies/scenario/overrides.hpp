@@ -19,6 +19,6 @@ struct Override {
 [[nodiscard]] Override parse_override(const std::string& text);
 
 /// Puts the value in its place of the document; what it replaces is gone. Problems point to "--set key".
-void apply_override(Node& root, const Override& change, Problems& problems);
+void apply_override(YamlNode& root, const Override& change, Problems& problems);
 
 }  // namespace facies::scenario

@@ -29,13 +29,14 @@ Choice choice_of(const MaterialSection& section, Scenario& scenario) {
 }
 
 /// True where the file names something else than what was kept: its value was refused, and a problem says so.
-bool was_refused(const Node* node, const char* key, const std::string& kept) {
-  const Entry* entry = node == nullptr ? nullptr : node->find(key);
-  return entry != nullptr && (entry->value.kind != Node::Kind::scalar || entry->value.text != kept);
+bool was_refused(const YamlNode* node, const char* key, const std::string& kept) {
+  const YamlEntry* entry = node == nullptr ? nullptr : node->find(key);
+  return entry != nullptr &&
+         (entry->value.kind != YamlNode::Kind::scalar || entry->value.text != kept);
 }
 
 /// Settles which law and preset hold when one or both were given. False where they contradict each other.
-bool settle(const Node* node, const MaterialSection& section, Scenario& scenario,
+bool settle(const YamlNode* node, const MaterialSection& section, Scenario& scenario,
             Problems& problems) {
   const Choice choice = choice_of(section, scenario);
   if (was_refused(node, "law", choice.law) || was_refused(node, "preset", choice.preset))
@@ -67,7 +68,7 @@ bool settle(const Node* node, const MaterialSection& section, Scenario& scenario
 }
 
 /// Values of the preset and of the file for `specs`. Names whose value could not be read go into `unreadable`.
-Parameters gather(const Node* node, const Choice& choice, std::span<const ParamSpec> specs,
+Parameters gather(const YamlNode* node, const Choice& choice, std::span<const ParamSpec> specs,
                   std::vector<std::string>& unreadable, Problems& problems) {
   Parameters values;
   const material::Preset* preset = material::find_preset(choice.preset);
@@ -76,7 +77,7 @@ Parameters gather(const Node* node, const Choice& choice, std::span<const ParamS
       const auto of_preset = preset->values.find(spec.name);
       if (of_preset != preset->values.end()) values[spec.name] = of_preset->second;
     }
-    const Entry* entry = node == nullptr ? nullptr : node->find(spec.name);
+    const YamlEntry* entry = node == nullptr ? nullptr : node->find(spec.name);
     if (entry == nullptr) continue;
     const Unit in = unit(spec.unit);
     if (const auto value = read_number(entry->value, rule_of(spec), problems)) {
@@ -127,7 +128,7 @@ std::vector<ParamSpec> parameters_of(const MaterialSection& section, Scenario& s
   return all;
 }
 
-bool read_material(const Node* node, const MaterialSection& section, Scenario& scenario,
+bool read_material(const YamlNode* node, const MaterialSection& section, Scenario& scenario,
                    Problems& problems) {
   const std::size_t before = problems.size();
   if (!settle(node, section, scenario, problems)) return false;

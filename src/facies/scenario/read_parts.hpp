@@ -10,7 +10,7 @@ namespace facies::scenario {
 /// Reads the presets and parameters of a section of material_sections(); `node` is nullptr where the file has no such
 /// section. Its fields have been read before. False where law, preset or volumetric law are not settled; a problem says
 /// why.
-bool read_material(const Node* node, const MaterialSection& section, Scenario& scenario,
+bool read_material(const YamlNode* node, const MaterialSection& section, Scenario& scenario,
                    Problems& problems);
 
 /// The parameters of the laws that the section names.
@@ -18,6 +18,6 @@ bool read_material(const Node* node, const MaterialSection& section, Scenario& s
                                                              Scenario& scenario);
 
 /// Reads the list under "steps" and checks the order of the steps.
-void read_steps(const Node& node, Scenario& scenario, Problems& problems);
+void read_steps(const YamlNode& node, Scenario& scenario, Problems& problems);
 
 }  // namespace facies::scenario

@@ -42,9 +42,9 @@ std::vector<std::string> keys_of(const std::string& section) {
 
 /// Reads every field of one mapping and remembers where each entry was written. Keys that are no fields are left to
 /// the caller.
-void read_fields(const Node& node, const std::string& section, Scenario& scenario,
+void read_fields(const YamlNode& node, const std::string& section, Scenario& scenario,
                  Problems& problems) {
-  for (const Entry& entry : node.entries) {
+  for (const YamlEntry& entry : node.entries) {
     const std::string path = section.empty() ? entry.key : section + "." + entry.key;
     scenario.written_at[path] = entry.value.where;
     if (const Field* field = find_field(path)) read_field(entry.value, *field, scenario, problems);
@@ -52,9 +52,9 @@ void read_fields(const Node& node, const std::string& section, Scenario& scenari
 }
 
 /// Adds a problem for every key of the mapping that is not known, and a guess at what was meant.
-void refuse_unknown(const Node& node, const std::string& section,
+void refuse_unknown(const YamlNode& node, const std::string& section,
                     const std::vector<std::string>& known, Problems& problems) {
-  for (const Entry& entry : node.entries) {
+  for (const YamlEntry& entry : node.entries) {
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
     const std::string in = section.empty() ? "" : " in " + section;
     problems.add({entry.where, fmt::format("unknown key '{}'{}", entry.key, in), "",
@@ -62,7 +62,7 @@ void refuse_unknown(const Node& node, const std::string& section,
   }
 }
 
-void read_section(const Node* node, const std::string& section, Scenario& scenario,
+void read_section(const YamlNode* node, const std::string& section, Scenario& scenario,
                   Problems& problems) {
   if (node != nullptr && !expect_mapping(*node, "a mapping", problems)) return;
   if (node != nullptr) read_fields(*node, section, scenario, problems);
@@ -89,14 +89,14 @@ void check_name(const Scenario& scenario, Problems& problems) {
                 "a name of at most 100 letters without '/' and not beginning with '.'", ""});
 }
 
-void read_root(const Node& root, Scenario& scenario, Problems& problems) {
+void read_root(const YamlNode& root, Scenario& scenario, Problems& problems) {
   read_fields(root, "", scenario, problems);
   for (const Section& section : sections()) {
-    const Entry* entry = root.find(section.name);
+    const YamlEntry* entry = root.find(section.name);
     read_section(entry == nullptr ? nullptr : &entry->value, section.name, scenario, problems);
   }
   refuse_unknown(root, "", keys_of(""), problems);
-  if (const Entry* steps = root.find("steps")) {
+  if (const YamlEntry* steps = root.find("steps")) {
     read_steps(steps->value, scenario, problems);
   } else {
     problems.add({root.where, "no steps", "steps: a list of tension, release, express", ""});
@@ -140,12 +140,12 @@ Reading read_text(const std::string& text, const std::string& source, const std:
   reading.scenario.name = name;
   reading.scenario.written_at[""] = source;
   Problems problems;
-  Node root = parse_yaml(text, {source}, problems);
-  if (root.kind == Node::Kind::nothing && problems.empty()) {
+  YamlNode root = parse_yaml(text, {source}, problems);
+  if (root.kind == YamlNode::Kind::nothing && problems.empty()) {
     return refuse(source, "is empty", "a scenario with steps", "see `facies list scenarios`");
   }
   // Without a mapping at the top there is nothing to read on.
-  if (root.kind == Node::Kind::nothing ||
+  if (root.kind == YamlNode::Kind::nothing ||
       !expect_mapping(root, "a scenario: a mapping of keys such as 'steps'", problems)) {
     reading.problems = problems.list();
     return reading;

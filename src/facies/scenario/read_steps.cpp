@@ -21,16 +21,16 @@ std::vector<std::string> kind_names() {
 
 /// One step while it is read.
 struct StepReader {
-  const Node& content;
+  const YamlNode& content;
   const std::string& path;  ///< "steps.2.tension"
   Scenario& scenario;
   Problems& problems;
 
-  void remember(const Entry& entry) const {
+  void remember(const YamlEntry& entry) const {
     scenario.written_at[path + "." + entry.key] = entry.where;
   }
 
-  void refuse_key(const Entry& entry, const std::vector<std::string>& known) const {
+  void refuse_key(const YamlEntry& entry, const std::vector<std::string>& known) const {
     problems.add({entry.where, fmt::format("unknown key '{}'", entry.key), "",
                   known.empty() ? "a release step has no keys: release: {}"
                                 : did_you_mean(entry.key, known)});
@@ -38,7 +38,7 @@ struct StepReader {
 
   [[nodiscard]] Step tension() const {
     TensionStep step;
-    for (const Entry& entry : content.entries) {
+    for (const YamlEntry& entry : content.entries) {
       remember(entry);
       if (entry.key == "tsf") {
         step.tsf = read_number(entry.value, tsf_rule(), problems).value_or(step.tsf);
@@ -50,7 +50,7 @@ struct StepReader {
   }
 
   [[nodiscard]] Step release() const {
-    for (const Entry& entry : content.entries)
+    for (const YamlEntry& entry : content.entries)
       refuse_key(entry, {});
     return ReleaseStep{};
   }
@@ -62,7 +62,7 @@ struct StepReader {
                     "activations such as {ZYG: 0.5}",
                     "to relax a muscle, give it the activation 0"});
     }
-    for (const Entry& entry : content.entries) {
+    for (const YamlEntry& entry : content.entries) {
       remember(entry);
       const auto alpha = read_number(entry.value, activation_rule(), problems);
       step.activations[entry.key] = alpha.value_or(0.0);
@@ -71,26 +71,27 @@ struct StepReader {
   }
 };
 
-void read_step(const Node& node, std::size_t number, Scenario& scenario, Problems& problems) {
+void read_step(const YamlNode& node, std::size_t number, Scenario& scenario, Problems& problems) {
   const std::string wanted = "a step such as 'tension: {tsf: 1.10}'";
   // "- release" is short for "- release: {}".
-  const Entry alone = {node.text, node.where, {Node::Kind::nothing, {}, {}, {}, node.where}};
-  const bool is_word = node.kind == Node::Kind::scalar;
+  const YamlEntry alone = {
+      node.text, node.where, {YamlNode::Kind::nothing, {}, {}, {}, node.where}};
+  const bool is_word = node.kind == YamlNode::Kind::scalar;
   if (!is_word && !expect_mapping(node, wanted, problems)) return;
   if (!is_word && node.entries.size() != 1) {
     problems.add({node.where, fmt::format("a step with {} names", node.entries.size()), wanted,
                   "each step begins with its own '-'"});
     return;
   }
-  const Entry& entry = is_word ? alone : node.entries.front();
+  const YamlEntry& entry = is_word ? alone : node.entries.front();
   const std::vector<std::string> kinds = kind_names();
   if (std::find(kinds.begin(), kinds.end(), entry.key) == kinds.end()) {
     problems.add({entry.where, fmt::format("unknown step '{}'", entry.key), "",
                   did_you_mean(entry.key, kinds)});
     return;
   }
-  const Node& content = entry.value;
-  if (content.kind != Node::Kind::nothing &&
+  const YamlNode& content = entry.value;
+  if (content.kind != YamlNode::Kind::nothing &&
       !expect_mapping(content, "a mapping such as {}", problems)) {
     return;
   }
@@ -131,9 +132,9 @@ void check_order(const Scenario& scenario, Problems& problems) {
 
 }  // namespace
 
-void read_steps(const Node& node, Scenario& scenario, Problems& problems) {
-  if (node.kind != Node::Kind::sequence || node.items.empty()) {
-    const bool empty = node.kind == Node::Kind::sequence;
+void read_steps(const YamlNode& node, Scenario& scenario, Problems& problems) {
+  if (node.kind != YamlNode::Kind::sequence || node.items.empty()) {
+    const bool empty = node.kind == YamlNode::Kind::sequence;
     problems.add({node.where, empty ? "no steps" : describe(node),
                   "a list of steps, each of them one of: tension, release, express", ""});
     return;

@@ -109,8 +109,7 @@ void Recorder::increment_ends(const solve::Increment& increment, const solve::In
   record.converged = end.converged;
   record.reason = end.reason;
   record.worst_node = end.worst_node;
-  record.inadmissible_element = end.inadmissible.element;
-  record.inadmissible_J = end.inadmissible.J;
+  record.inadmissible = end.inadmissible;
   log_->increment(record);
   write_file(options_.out / "convergence.txt", results::convergence_text(summary_.convergence));
   listener_.increment_ends(increment, end);

@@ -60,7 +60,7 @@ std::string field_rows(const std::string& section) {
   for (const Field& field : fields()) {
     if (section_of(field.path) != section) continue;
     std::string standard = value_text(field, defaults);
-    standard = standard == "\"\"" ? "" : '`' + standard + '`';
+    standard = standard == "\"\"" ? "" : fmt::format("`{}`", standard);
     text += fmt::format("| `{}` | {} | {} | {} |\n",
                         section.empty() ? field.path : field.path.substr(section.size() + 1),
                         standard, admitted(field), field.rule.doc);

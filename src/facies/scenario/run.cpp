@@ -46,7 +46,7 @@ Index worst_element(const FaceModel& model, const results::Snapshot& snapshot,
 
 std::string describe_place(const results::Place& place) {
   if (place.element < 0) return "";
-  std::string text = fmt::format("element {} ({}", place.element + 1, place.layer);
+  std::string text = fmt::format("element {} ({}", place.element, place.layer);
   for (const std::string& muscle : place.muscles)
     text += ", " + muscle;
   return text + ")";

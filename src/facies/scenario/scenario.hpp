@@ -92,8 +92,7 @@ struct SolverChoice {
 
 struct OutputChoice {
   bool pictures = true;
-  std::string fields =
-      "steps";  ///< field files: "none", of the "last" state, or after all "steps"
+  std::string fields = "steps";  ///< field files: "none", of the "last" state, or after all "steps"
 
   friend bool operator==(const OutputChoice&, const OutputChoice&) = default;
 };

@@ -19,16 +19,16 @@ Json scalar(const std::string& text) {
   return text;
 }
 
-Json to_json(const Node& node) {
-  if (node.kind == Node::Kind::scalar) return scalar(node.text);
-  if (node.kind == Node::Kind::sequence) {
+Json to_json(const YamlNode& node) {
+  if (node.kind == YamlNode::Kind::scalar) return scalar(node.text);
+  if (node.kind == YamlNode::Kind::sequence) {
     Json list = Json::array();
-    for (const Node& item : node.items)
+    for (const YamlNode& item : node.items)
       list.push_back(to_json(item));
     return list;
   }
   Json object = Json::object();
-  for (const Entry& entry : node.entries)
+  for (const YamlEntry& entry : node.entries)
     object[entry.key] = to_json(entry.value);
   return object;
 }
@@ -37,7 +37,7 @@ Json to_json(const Node& node) {
 
 std::string settings_json(const std::string& yaml) {
   Problems problems;
-  const Node root = parse_yaml(yaml, {"scenario.yaml"}, problems);
+  const YamlNode root = parse_yaml(yaml, {"scenario.yaml"}, problems);
   require(problems.empty(), "a scenario that was written can be read");
   return to_json(root).dump();
 }

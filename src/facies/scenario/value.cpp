@@ -15,7 +15,7 @@ namespace facies::scenario {
 namespace {
 
 /// Adds "found; expected" at the node.
-void add(Problems& problems, const Node& node, std::string found, std::string expected,
+void add(Problems& problems, const YamlNode& node, std::string found, std::string expected,
          std::string hint = "") {
   problems.add({node.where, std::move(found), std::move(expected), std::move(hint)});
 }
@@ -29,7 +29,7 @@ bool in_range(double value, const Rule& rule) {
 }
 
 struct ReadInto {
-  const Node& node;
+  const YamlNode& node;
   const Field& field;
   Scenario& scenario;
   Problems& problems;
@@ -57,8 +57,8 @@ struct ReadInto {
 
 }  // namespace
 
-std::optional<double> read_number(const Node& node, const Rule& rule, Problems& problems) {
-  if (node.kind != Node::Kind::scalar) {
+std::optional<double> read_number(const YamlNode& node, const Rule& rule, Problems& problems) {
+  if (node.kind != YamlNode::Kind::scalar) {
     const Dimension dimension = unit(rule.unit).dimension;
     add(problems, node, describe(node),
         rule.unit.empty() ? "a number" : fmt::format("a {} in {}", name_of(dimension), rule.unit));
@@ -77,8 +77,8 @@ std::optional<double> read_number(const Node& node, const Rule& rule, Problems& 
   return value;
 }
 
-std::optional<int> read_integer(const Node& node, const Rule& rule, Problems& problems) {
-  const auto value = node.kind == Node::Kind::scalar ? parse_integer(node.text) : std::nullopt;
+std::optional<int> read_integer(const YamlNode& node, const Rule& rule, Problems& problems) {
+  const auto value = node.kind == YamlNode::Kind::scalar ? parse_integer(node.text) : std::nullopt;
   if (!value) {
     add(problems, node, describe(node), "a whole number, " + range_in_words(rule));
     return std::nullopt;
@@ -90,8 +90,8 @@ std::optional<int> read_integer(const Node& node, const Rule& rule, Problems& pr
   return static_cast<int>(*value);
 }
 
-std::optional<bool> read_boolean(const Node& node, Problems& problems) {
-  if (node.kind == Node::Kind::scalar) {
+std::optional<bool> read_boolean(const YamlNode& node, Problems& problems) {
+  if (node.kind == YamlNode::Kind::scalar) {
     if (node.text == "true" || node.text == "on" || node.text == "yes") return true;
     if (node.text == "false" || node.text == "off" || node.text == "no") return false;
   }
@@ -99,8 +99,8 @@ std::optional<bool> read_boolean(const Node& node, Problems& problems) {
   return std::nullopt;
 }
 
-std::optional<std::string> read_text(const Node& node, const Rule& rule, Problems& problems) {
-  if (node.kind != Node::Kind::scalar) {
+std::optional<std::string> read_text(const YamlNode& node, const Rule& rule, Problems& problems) {
+  if (node.kind != YamlNode::Kind::scalar) {
     add(problems, node, describe(node), rule.choices.empty() ? "a text" : "one word");
     return std::nullopt;
   }
@@ -113,9 +113,9 @@ std::optional<std::string> read_text(const Node& node, const Rule& rule, Problem
   return node.text;
 }
 
-std::optional<Vec3> read_direction(const Node& node, Problems& problems) {
-  if (node.kind != Node::Kind::sequence || node.items.size() != 3) {
-    const std::string found = node.kind == Node::Kind::sequence
+std::optional<Vec3> read_direction(const YamlNode& node, Problems& problems) {
+  if (node.kind != YamlNode::Kind::sequence || node.items.size() != 3) {
+    const std::string found = node.kind == YamlNode::Kind::sequence
                                   ? fmt::format("a list of {}", node.items.size())
                                   : describe(node);
     add(problems, node, found, "a list of three numbers such as [0, 0, -1]");
@@ -137,12 +137,12 @@ std::optional<Vec3> read_direction(const Node& node, Problems& problems) {
   return direction;
 }
 
-void read_field(const Node& node, const Field& field, Scenario& scenario, Problems& problems) {
+void read_field(const YamlNode& node, const Field& field, Scenario& scenario, Problems& problems) {
   std::visit(ReadInto{node, field, scenario, problems}, field.slot);
 }
 
-bool expect_mapping(const Node& node, const std::string& wanted, Problems& problems) {
-  if (node.kind == Node::Kind::mapping) return true;
+bool expect_mapping(const YamlNode& node, const std::string& wanted, Problems& problems) {
+  if (node.kind == YamlNode::Kind::mapping) return true;
   add(problems, node, describe(node), wanted);
   return false;
 }

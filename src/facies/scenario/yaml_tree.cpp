@@ -26,7 +26,7 @@ class TreeBuilder final : public YAML::EventHandler {
  public:
   TreeBuilder(const Origin& origin, Problems& problems) : origin_(origin), problems_(problems) {}
 
-  Node take() { return std::move(root_); }
+  YamlNode take() { return std::move(root_); }
 
   [[nodiscard]] std::string place(const YAML::Mark& mark) const {
     if (!origin_.count_lines || mark.is_null()) return origin_.name;
@@ -38,7 +38,7 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     refuse_anchor(mark, anchor);
-    Node node;
+    YamlNode node;
     node.where = place(mark);
     finish(std::move(node));
   }
@@ -51,8 +51,8 @@ class TreeBuilder final : public YAML::EventHandler {
                 const std::string& value) override {
     refuse_anchor(mark, anchor);
     refuse_tag(mark, tag);
-    Node node;
-    node.kind = Node::Kind::scalar;
+    YamlNode node;
+    node.kind = YamlNode::Kind::scalar;
     node.text = value;
     node.where = place(mark);
     finish(std::move(node));
@@ -60,23 +60,23 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                        YAML::EmitterStyle::value /*style*/) override {
-    start(Node::Kind::sequence, mark, tag, anchor);
+    start(YamlNode::Kind::sequence, mark, tag, anchor);
   }
   void OnSequenceEnd() override { close(); }
 
   void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                   YAML::EmitterStyle::value /*style*/) override {
-    start(Node::Kind::mapping, mark, tag, anchor);
+    start(YamlNode::Kind::mapping, mark, tag, anchor);
   }
   void OnMapEnd() override { close(); }
 
  private:
   /// A list or mapping that is still open; of a mapping also the key that waits for its value.
   struct Open {
-    Node node;
+    YamlNode node;
     bool has_key = false;
     bool repeated = false;
-    Entry pending;
+    YamlEntry pending;
     std::vector<std::string> keys;  // sorted
   };
 
@@ -91,7 +91,7 @@ class TreeBuilder final : public YAML::EventHandler {
     throw Refused{{place(mark), fmt::format("the tag '{}'", tag), "a value without a tag", ""}};
   }
 
-  void start(Node::Kind kind, const YAML::Mark& mark, const std::string& tag,
+  void start(YamlNode::Kind kind, const YAML::Mark& mark, const std::string& tag,
              YAML::anchor_t anchor) {
     refuse_anchor(mark, anchor);
     refuse_tag(mark, tag);
@@ -105,36 +105,36 @@ class TreeBuilder final : public YAML::EventHandler {
   }
 
   void close() {
-    Node node = std::move(open_.back().node);
+    YamlNode node = std::move(open_.back().node);
     open_.pop_back();
     finish(std::move(node));
   }
 
-  void finish(Node node) {
+  void finish(YamlNode node) {
     if (open_.empty()) {
       root_ = std::move(node);
       return;
     }
     Open& parent = open_.back();
-    if (parent.node.kind == Node::Kind::sequence) {
+    if (parent.node.kind == YamlNode::Kind::sequence) {
       parent.node.items.push_back(std::move(node));
     } else if (!parent.has_key) {
       take_key(parent, node);
     } else {
       parent.has_key = false;
       // The parser places a missing value at whatever comes next; people look for it at its key.
-      if (node.kind == Node::Kind::nothing) node.where = parent.pending.where;
+      if (node.kind == YamlNode::Kind::nothing) node.where = parent.pending.where;
       parent.pending.value = std::move(node);
       if (!parent.repeated) parent.node.entries.push_back(std::move(parent.pending));
     }
   }
 
-  void take_key(Open& parent, const Node& key) {
+  void take_key(Open& parent, const YamlNode& key) {
     parent.has_key = true;
     parent.pending = {key.text, key.where, {}};
     const auto position = std::lower_bound(parent.keys.begin(), parent.keys.end(), key.text);
     parent.repeated = true;
-    if (key.kind != Node::Kind::scalar) {
+    if (key.kind != YamlNode::Kind::scalar) {
       problems_.add({key.where, describe(key) + " as a key", "a word", ""});
     } else if (position != parent.keys.end() && *position == key.text) {
       problems_.add({key.where, fmt::format("'{}' is given twice", key.text), "",
@@ -147,45 +147,46 @@ class TreeBuilder final : public YAML::EventHandler {
 
   const Origin& origin_;
   Problems& problems_;
-  Node root_;
+  YamlNode root_;
   std::vector<Open> open_;
 };
 
 }  // namespace
 
-const Entry* Node::find(std::string_view key) const {
-  const auto entry =
-      std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == key; });
+const YamlEntry* YamlNode::find(std::string_view key) const {
+  const auto entry = std::find_if(entries.begin(), entries.end(),
+                                  [&](const YamlEntry& e) { return e.key == key; });
   return entry == entries.end() ? nullptr : &*entry;
 }
 
-Entry* Node::find(std::string_view key) {
-  const auto entry =
-      std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == key; });
+YamlEntry* YamlNode::find(std::string_view key) {
+  const auto entry = std::find_if(entries.begin(), entries.end(),
+                                  [&](const YamlEntry& e) { return e.key == key; });
   return entry == entries.end() ? nullptr : &*entry;
 }
 
-std::string describe(const Node& node) {
+std::string describe(const YamlNode& node) {
   switch (node.kind) {
-    case Node::Kind::nothing:
+    case YamlNode::Kind::nothing:
       return "nothing";
-    case Node::Kind::scalar:
+    case YamlNode::Kind::scalar:
       return fmt::format("the value '{}'", node.text);
-    case Node::Kind::sequence:
+    case YamlNode::Kind::sequence:
       return "a list";
-    case Node::Kind::mapping:
+    case YamlNode::Kind::mapping:
       return "a mapping";
   }
   return {};
 }
 
-Node parse_yaml(const std::string& text, const Origin& origin, Problems& problems) {
+YamlNode parse_yaml(const std::string& text, const Origin& origin, Problems& problems) {
   TreeBuilder builder(origin, problems);
   try {
     std::istringstream stream(text);
     YAML::Parser parser(stream);
-    if (!parser.HandleNextDocument(builder)) return {Node::Kind::nothing, {}, {}, {}, origin.name};
-    Node root = builder.take();
+    if (!parser.HandleNextDocument(builder))
+      return {YamlNode::Kind::nothing, {}, {}, {}, origin.name};
+    YamlNode root = builder.take();
     TreeBuilder rest(origin, problems);
     if (parser.HandleNextDocument(rest)) {
       problems.add({rest.take().where, "a second document", "one document per file", ""});
@@ -197,7 +198,7 @@ Node parse_yaml(const std::string& text, const Origin& origin, Problems& problem
     problems.add({builder.place(error.mark), "not YAML: " + error.msg, "",
                   "look for wrong indentation, a missing colon or an open quote or bracket"});
   }
-  return {Node::Kind::nothing, {}, {}, {}, origin.name};
+  return {YamlNode::Kind::nothing, {}, {}, {}, origin.name};
 }
 
 }  // namespace facies::scenario

@@ -10,32 +10,32 @@
 
 namespace facies::scenario {
 
-struct Entry;
+struct YamlEntry;
 
 /// A value of the document.
-struct Node {
+struct YamlNode {
   enum class Kind { nothing, scalar, sequence, mapping };
 
   Kind kind = Kind::nothing;
-  std::string text;            ///< of a scalar
-  std::vector<Node> items;     ///< of a sequence
-  std::vector<Entry> entries;  ///< of a mapping, in the order of the document, keys unique
-  std::string where;           ///< "smile.yaml:12:7" or "--set skin.c"
+  std::string text;                ///< of a scalar
+  std::vector<YamlNode> items;     ///< of a sequence
+  std::vector<YamlEntry> entries;  ///< of a mapping, in the order of the document, keys unique
+  std::string where;               ///< "smile.yaml:12:7" or "--set skin.c"
 
   /// The entry with that key; nullptr where there is none or this is no mapping.
-  [[nodiscard]] const Entry* find(std::string_view key) const;
-  [[nodiscard]] Entry* find(std::string_view key);
+  [[nodiscard]] const YamlEntry* find(std::string_view key) const;
+  [[nodiscard]] YamlEntry* find(std::string_view key);
 };
 
 /// A key and its value.
-struct Entry {
+struct YamlEntry {
   std::string key;
   std::string where;  ///< of the key
-  Node value;
+  YamlNode value;
 };
 
 /// "nothing", "the value 'x'", "a list", "a mapping": how messages call a node.
-[[nodiscard]] std::string describe(const Node& node);
+[[nodiscard]] std::string describe(const YamlNode& node);
 
 /// Where places in a text are reported.
 struct Origin {
@@ -45,6 +45,7 @@ struct Origin {
 
 /// Reads one document. What cannot be read (not YAML, repeated keys, anchors, tags, several documents, more than
 /// 16 levels) is added to `problems`; the tree is then what could be made of the rest. An empty text gives `nothing`.
-[[nodiscard]] Node parse_yaml(const std::string& text, const Origin& origin, Problems& problems);
+[[nodiscard]] YamlNode parse_yaml(const std::string& text, const Origin& origin,
+                                  Problems& problems);
 
 }  // namespace facies::scenario

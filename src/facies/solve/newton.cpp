@@ -20,6 +20,9 @@ constexpr double largest_shift = 1e4;
 constexpr double smallest_step = 1.0 / 65536.0;
 constexpr double sufficient = 1e-4;    // part of the expected decrease of energy that is enough
 constexpr double accepted_work = 0.9;  // part of the starting work that may remain after a step
+// Iterations in a row that may pass through states with an overgrown element. Where one heals, it does so in a few; where
+// the tissue tears, more only stretch it to infinity.
+constexpr int overgrown_patience = 8;
 
 double norm(std::span<const double> v) {
   double sum = 0.0;
@@ -39,6 +42,7 @@ struct Equilibrium::Work {
   std::vector<double> rhs;       // [n_equations]
   std::vector<double> step;      // [n_equations]
   bool moving = false;           // some prescribed unknown still has to move
+  int overgrown = 0;             // states in a row with an overgrown element
 };
 
 Equilibrium::Equilibrium(const mechanics::Model& model, std::vector<Index> prescribed)
@@ -164,6 +168,48 @@ double Equilibrium::find_step(Work& work, mechanics::State& state,
   return 0.0;
 }
 
+void Equilibrium::update_moves(Work& work, const mechanics::State& state,
+                               std::span<const double> values) const {
+  work.moving = false;
+  for (std::size_t k = 0; k < prescribed_.size(); ++k) {
+    const Index dof = prescribed_[k];
+    const double move = values[k] - state.u[at(dof / 3)](dof % 3);
+    work.moves[at(dof)] = move;
+    const bool arrived =
+        std::abs(move) <= 1e-14 * (1.0 + std::abs(values[k]));  // never, where a value is NaN
+    work.moving = work.moving || !arrived;
+  }
+}
+
+/// True where the state is the answer, or no iteration more is worth while; the report then says which and why.
+bool Equilibrium::is_over(Work& work, const mechanics::State& state, const NewtonSettings& settings,
+                          NewtonReport& report) const {
+  const mechanics::Inadmissible overgrown = model_.overgrown(state);
+  work.overgrown = overgrown.element >= 0 ? work.overgrown + 1 : 0;
+  const bool small = report.residual <= settings.absolute_tolerance ||
+                     report.relative <= settings.relative_tolerance;
+  const bool balanced = !work.moving && small;
+  if (overgrown.element >= 0 && (balanced || work.overgrown > overgrown_patience)) {
+    report.inadmissible = overgrown;
+    report.reason =
+        balanced ? "tissue tears: the only balance found is beyond what its law holds"
+                 : fmt::format("tissue tears: beyond what its law holds for {} states in a row",
+                               work.overgrown);
+    return true;
+  }
+  if (balanced) {
+    report.converged = true;
+    report.reason = fmt::format("residual {:.1e} of the load", report.relative);
+    return true;
+  }
+  if (report.iterations == settings.max_iterations) {
+    report.reason = fmt::format("residual still {:.1e} of the load after {} iterations",
+                                report.relative, report.iterations);
+    return true;
+  }
+  return false;
+}
+
 NewtonReport Equilibrium::solve(mechanics::State& state, const mechanics::Controls& controls,
                                 std::span<const double> values, const NewtonSettings& settings,
                                 const std::function<void(const Iteration&)>& listen) {
@@ -179,37 +225,15 @@ NewtonReport Equilibrium::solve(mechanics::State& state, const mechanics::Contro
     report.reason = "the state to start from is inadmissible";
     return report;
   }
-  const auto update_moves = [&] {
-    work.moving = false;
-    for (std::size_t k = 0; k < prescribed_.size(); ++k) {
-      const Index dof = prescribed_[k];
-      const double move = values[k] - state.u[at(dof / 3)](dof % 3);
-      work.moves[at(dof)] = move;
-      const bool arrived =
-          std::abs(move) <= 1e-14 * (1.0 + std::abs(values[k]));  // never, where a value is NaN
-      work.moving = work.moving || !arrived;
-    }
-  };
   Iteration iteration;
   double previous = std::numeric_limits<double>::infinity();
   while (true) {
-    update_moves();
+    update_moves(work, state, values);
     measure(work, controls, report);
     iteration.residual = report.residual;
     iteration.relative = report.relative;
     if (listen) listen(iteration);
-    const bool small = report.residual <= settings.absolute_tolerance ||
-                       report.relative <= settings.relative_tolerance;
-    if (!work.moving && small) {
-      report.converged = true;
-      report.reason = fmt::format("residual {:.1e} of the load", report.relative);
-      return report;
-    }
-    if (report.iterations == settings.max_iterations) {
-      report.reason = fmt::format("residual still {:.1e} of the load after {} iterations",
-                                  report.relative, report.iterations);
-      return report;
-    }
+    if (is_over(work, state, settings, report)) return report;
     const bool promising = iteration.exact || report.residual < 0.5 * previous;
     previous = report.residual;
     iteration = Iteration{.number = ++report.iterations};
@@ -219,6 +243,10 @@ NewtonReport Equilibrium::solve(mechanics::State& state, const mechanics::Contro
     report.factorisations += iteration.factorisations;
     if (!stepped) {
       report.reason = "no admissible state along any descent step carries less residual";
+      if (work.overgrown > 0) {
+        report.reason = "tissue tears: no step leads back to what its law holds";
+        report.inadmissible = model_.overgrown(state);
+      }
       return report;
     }
     for (const double component : work.step) {

@@ -19,7 +19,8 @@ struct NewtonSettings {
   int max_iterations = 80;
 };
 
-/// How a solution ended. `converged` comes from the criterion, never from a counter.
+/// How a solution ended. `converged` comes from the criterion, never from a counter, and never where an element has grown
+/// beyond what its law holds for (mechanics::Term::overgrown).
 struct NewtonReport {
   bool converged = false;
   std::string reason;
@@ -56,6 +57,10 @@ class Equilibrium {
  private:
   struct Work;
 
+  void update_moves(Work& work, const mechanics::State& state,
+                    std::span<const double> values) const;
+  [[nodiscard]] bool is_over(Work& work, const mechanics::State& state,
+                             const NewtonSettings& settings, NewtonReport& report) const;
   void measure(Work& work, const mechanics::Controls& controls, NewtonReport& report) const;
   [[nodiscard]] bool factorise(Work& work, const mechanics::State& state,
                                const mechanics::Controls& controls, Iteration& iteration);
