@@ -98,6 +98,17 @@ TEST(ArtisynthFace, TakesLandmarksAndPairsFromTheTables) {
   ASSERT_EQ(face.pairs.size(), 1U);
 }
 
+TEST(ArtisynthFace, NamesEveryFileThatWasRead) {
+  const SyntheticFace files;
+  std::vector<std::filesystem::path> expected;
+  for (const auto& folder : {files.models(), files.tables()}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+      if (entry.is_regular_file()) expected.push_back(entry.path());
+    }
+  }
+  EXPECT_THAT(files.read().files, testing::UnorderedElementsAreArray(expected));
+}
+
 TEST(ArtisynthFace, ReadsFilesWithWindowsLineEndsAndWithoutAnEndOfTheLastLine) {
   const SyntheticFace files;
   for (const char* name : {"badinface_adjusted.node", "badinface_adjusted.elem",

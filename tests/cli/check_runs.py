@@ -5,6 +5,7 @@ a stop, a kill or a full disk.
 usage: check_runs.py FACIES
 """
 
+import hashlib
 import json
 import os
 import pathlib
@@ -62,7 +63,10 @@ class Runs(unittest.TestCase):
                     "figures/rest.png", "figures/tensioned-rest.png", "figures/expression.png",
                     "figures/displacement.png"}
         self.assertLessEqual(expected, names)
-        self.assertEqual(json.loads((out / "summary.json").read_text())["status"], "done")
+        summary = json.loads((out / "summary.json").read_text())
+        self.assertEqual(summary["status"], "done")
+        ((scenario, checksum),) = summary["inputs"].items()
+        self.assertEqual(checksum, "sha256:" + hashlib.sha256(pathlib.Path(scenario).read_bytes()).hexdigest())
         self.assert_readable(out)
 
     def test_two_runs_give_the_same_bytes_for_any_number_of_threads(self):

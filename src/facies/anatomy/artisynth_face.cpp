@@ -78,6 +78,21 @@ Files read_files(const fs::path& folder, const FaceTables& tables, Problems& pro
   return files;
 }
 
+/// Everything that read_artisynth_face reads.
+std::vector<fs::path> files_of(const fs::path& folder, const FaceTables& tables) {
+  std::vector<fs::path> files = tables.files;
+  for (const char* file : {nodes_file, elements_file, directions_file, fibres_file})
+    files.push_back(folder / file);
+  for (const SetFile& set : tables.sets)
+    files.push_back(folder / set.path);
+  for (const FibreRow& fibre : tables.fibres) {
+    if (!fibre.ring.empty()) files.push_back(folder / fibre.ring);
+  }
+  std::ranges::sort(files);
+  files.erase(std::unique(files.begin(), files.end()), files.end());
+  return files;
+}
+
 /// Our nodes for the entries of a set; problems for entries that name none.
 std::vector<Index> resolve(const SetFile& set, const std::vector<NumberAt>& entries,
                            const Numbering& nodes, Problems& problems) {
@@ -238,6 +253,7 @@ FaceAnatomy read_artisynth_face(const fs::path& folder, const fs::path& tables_f
 
   ReferencePaths paths = make_reference_paths(tables, files.fibres, reference);
   face.source = "artisynth:" + folder.string();
+  face.files = files_of(folder, tables);
   face.mesh = reference.mesh;
   sets.erase("between");
   for (auto& [name, nodes] : sets)

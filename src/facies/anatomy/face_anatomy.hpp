@@ -11,6 +11,7 @@
 //   nodes     mandibular                                  tied to the mandible from the release on
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -63,7 +64,8 @@ struct LandmarkPair {
 };
 
 struct FaceAnatomy {
-  std::string source;  ///< how it was made: "artisynth:/path", "patch"
+  std::string source;                        ///< how it was made: "artisynth:/path", "patch"
+  std::vector<std::filesystem::path> files;  ///< everything that was read for it
   mesh::Mesh mesh;
   std::vector<Mat3>
       axes;  ///< [n_elements] columns a1 (skin line), a2 (outward normal), a3; identity outside the skin

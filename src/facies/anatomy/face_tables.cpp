@@ -164,6 +164,9 @@ std::vector<LandmarkPair> read_pairs(const fs::path& folder,
 
 FaceTables read_face_tables(const fs::path& folder, Problems& problems) {
   FaceTables tables;
+  for (const char* file :
+       {"default-sets.csv", "muscles.csv", "muscle-fibres.csv", "landmarks.csv", "pairs.csv"})
+    tables.files.push_back(folder / file);
   tables.sets = read_sets(folder, problems);
   std::vector<std::string> muscles;
   tables.muscles = read_muscles(folder, muscles, problems);

@@ -43,6 +43,7 @@ struct LandmarkRow {
 };
 
 struct FaceTables {
+  std::vector<std::filesystem::path> files;  ///< the tables themselves
   std::vector<SetFile> sets;
   std::vector<MuscleRow> muscles;
   std::vector<FibreRow> fibres;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "facies/base/checksum.hpp"
 #include "facies/base/files.hpp"
 #include "facies/results/closing_table.hpp"
 #include "facies/results/folder.hpp"
@@ -63,6 +64,18 @@ void keep_main_landmarks(const anatomy::FaceAnatomy& face,
   });
 }
 
+/// The scenario, where it is a file, and the files of the face, each with what was in it.
+std::vector<results::InputFile> inputs_of(const FaceModel& model, const Scenario& scenario) {
+  std::vector<std::filesystem::path> files = model.face.files;
+  std::error_code none;
+  const std::filesystem::path written = where_of(scenario, "");
+  if (std::filesystem::is_regular_file(written, none)) files.insert(files.begin(), written);
+  std::vector<results::InputFile> inputs;
+  for (const std::filesystem::path& file : files)
+    inputs.push_back({file.string(), "sha256:" + sha256(read_file(file))});
+  return inputs;
+}
+
 }  // namespace
 
 Recorder::Recorder(const FaceModel& model, const Scenario& scenario, const RunOptions& options,
@@ -81,6 +94,7 @@ Recorder::Recorder(const FaceModel& model, const Scenario& scenario, const RunOp
   write_file(options_.out / "scenario.yaml", resolved);
   summary_.version = options_.version;
   summary_.settings_json = settings_json(resolved);
+  summary_.inputs = inputs_of(model, scenario);
   write_summary();
 }
 

@@ -43,8 +43,12 @@ std::string text_value(const std::string& text) {
   return quoted + '"';
 }
 
-std::string number_text(double value, const std::string& in) {
-  return format_quantity(value, unit(in));
+/// "1.0e-06" for 1e-06: YAML 1.1 takes that for a text.
+std::string number_text(double value, const Unit& in = {}) {
+  std::string text = format_quantity(value, in);
+  const std::size_t exponent = text.find_first_of(".e");
+  if (exponent != std::string::npos && text[exponent] == 'e') text.insert(exponent, ".0");
+  return text;
 }
 
 struct ValueText {
@@ -55,7 +59,7 @@ struct ValueText {
     return text_value(*slot(scenario));
   }
   std::string operator()(double* (*slot)(Scenario&)) const {
-    return number_text(*slot(scenario), rule.unit);
+    return number_text(*slot(scenario), unit(rule.unit));
   }
   std::string operator()(int* (*slot)(Scenario&)) const {
     return fmt::format("{}", *slot(scenario));
@@ -65,7 +69,7 @@ struct ValueText {
   }
   std::string operator()(Vec3* (*slot)(Scenario&)) const {
     const Vec3& v = *slot(scenario);
-    return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z());
+    return fmt::format("[{}, {}, {}]", number_text(v.x()), number_text(v.y()), number_text(v.z()));
   }
 };
 
@@ -80,21 +84,21 @@ std::string parameters_text(const MaterialSection& section, Scenario& scenario) 
     if (value == values.end()) continue;
     const Unit in = unit(spec.unit);
     text += fmt::format("  {}: {}\n", spec.name,
-                        format_quantity(value->second * in.numerator / in.denominator, in));
+                        number_text(value->second * in.numerator / in.denominator, in));
   }
   return text;
 }
 
 struct StepText {
   std::string operator()(const TensionStep& step) const {
-    return fmt::format("tension: {{tsf: {}}}", step.tsf);
+    return fmt::format("tension: {{tsf: {}}}", number_text(step.tsf));
   }
   std::string operator()(const ReleaseStep&) const { return "release: {}"; }
   std::string operator()(const ExpressStep& step) const {
     std::string inside;
     for (const auto& [name, alpha] : step.activations) {
       if (!inside.empty()) inside += ", ";
-      inside += fmt::format("{}: {}", text_value(name), alpha);
+      inside += fmt::format("{}: {}", text_value(name), number_text(alpha));
     }
     return "express: {" + inside + "}";
   }
