@@ -33,6 +33,8 @@ Session::Session() {
   setenv("OMPI_MCA_btl", "self,vader", 0);
   setenv("OMPI_MCA_plm_rsh_agent", "", 0);
   setenv("OMPI_MCA_opal_signal", "", 0);
+  // In a container without /sys its search for processors would complain on standard error.
+  setenv("HWLOC_HIDE_ERRORS", "2", 0);
   PetscOptionsSetValue(nullptr, "-no_signal_handler", "true");
   check(PetscInitialize(nullptr, nullptr, nullptr, nullptr), "starting PETSc");
   check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr),
