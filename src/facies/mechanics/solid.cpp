@@ -211,10 +211,10 @@ void Solid::add_tangent(const State& state, const Controls& controls, TangentSin
     ElementMatrix block;
     element_tangent(view(e, controls, buffer), positions(e, state), block);
     if (mesh_.element(e).type == mesh::CellType::hex8) {
-      K.add(at(e), {block.data(), 24 * 24});
+      K.add(at(e), {block.data(), static_cast<std::size_t>(block.size())});
     } else {
       const Eigen::Matrix<double, 18, 18> wedge = block.topLeftCorner<18, 18>();
-      K.add(at(e), {wedge.data(), 18 * 18});
+      K.add(at(e), {wedge.data(), static_cast<std::size_t>(wedge.size())});
     }
   });
 }

@@ -32,8 +32,8 @@ solve::StepReport Stepper::drive(const mechanics::Controls& from, const mechanic
   places.reserve(equilibrium_->prescribed().size());
   for (const Index dof : equilibrium_->prescribed())
     places.push_back(state_.u[at(dof / 3)](dof % 3));
-  const solve::StepReport report = solve::advance(*equilibrium_, state_, from, to, places,
-                                                  step_settings(scenario_.solver), label, observer);
+  solve::StepReport report = solve::advance(*equilibrium_, state_, from, to, places,
+                                            step_settings(scenario_.solver), label, observer);
   controls_ = mechanics::interpolate(from, to, report.reached);
   return report;
 }
@@ -71,7 +71,7 @@ solve::StepReport Stepper::let_go(const mechanics::Controls& to, const solve::In
                                   solve::Observer& observer) {
   mechanics::Controls from = controls_;
   from.nodal_force = holding_forces();
-  const solve::StepReport report = drive(from, to, label, observer);
+  solve::StepReport report = drive(from, to, label, observer);
   if (report.converged) controls_.nodal_force.clear();
   return report;
 }

@@ -26,6 +26,11 @@ struct SymmetricFactor::Petsc {
   Vec solution = nullptr;
   PetscInt workspace = first_workspace;
 
+  Petsc() = default;
+  Petsc(const Petsc&) = delete;
+  Petsc& operator=(const Petsc&) = delete;
+  Petsc(Petsc&&) = delete;
+  Petsc& operator=(Petsc&&) = delete;
   ~Petsc() {
     VecDestroy(&solution);
     VecDestroy(&rhs);
