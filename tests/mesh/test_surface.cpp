@@ -22,7 +22,7 @@ double volume_by_quadrature(const Mesh& mesh) {
 }
 
 /// Divergence theorem for the triangles: a sixth of the sum of the triple products.
-double enclosed_volume(const TriangleSurface& surface, std::span<const Vec3> x) {
+double enclosed_volume(const FaceTriangles& surface, std::span<const Vec3> x) {
   double volume = 0.0;
   for (const auto& [a, b, c] : surface.triangles) {
     volume += x[at(a)].dot(x[at(b)].cross(x[at(c)])) / 6.0;
@@ -63,8 +63,8 @@ TEST(Surface, EnclosesTheVolumeThatQuadratureFinds) {
   double volume = 0.0;
   for (const Face& face : boundary_faces(warped)) {
     std::vector<Index> n = warped.face_nodes(face);
-    TriangleSurface one{{{n[0], n[1], n[2]}}, {}};
-    TriangleSurface other = one;
+    FaceTriangles one{{{n[0], n[1], n[2]}}, {}};
+    FaceTriangles other = one;
     if (n.size() == 4) {
       one.triangles = {{n[0], n[1], n[2]}, {n[0], n[2], n[3]}};
       other.triangles = {{n[1], n[2], n[3]}, {n[1], n[3], n[0]}};
@@ -100,7 +100,7 @@ TEST(Surface, CutsAFaceAlikeFromBothSides) {
 
 TEST(Surface, KnowsWhichFaceATriangleCameFrom) {
   const Mesh mesh = single_element(CellType::wedge6);
-  const TriangleSurface surface = triangulate(mesh, boundary_faces(mesh));
+  const FaceTriangles surface = triangulate(mesh, boundary_faces(mesh));
   EXPECT_THAT(surface.face, ::testing::ElementsAre(0, 1, 2, 2, 3, 3, 4, 4));
 }
 

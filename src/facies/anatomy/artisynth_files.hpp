@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "facies/anatomy/text_file.hpp"
+#include "facies/base/text_file.hpp"
 #include "facies/math/tensor.hpp"
 
 namespace facies::anatomy {

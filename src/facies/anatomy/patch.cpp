@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "facies/anatomy/skin_axes.hpp"
-#include "facies/anatomy/text_file.hpp"
 #include "facies/base/text.hpp"
+#include "facies/base/text_file.hpp"
 #include "facies/mesh/layered_sheet.hpp"
 
 namespace facies::anatomy {

@@ -60,8 +60,8 @@ std::vector<Index> face_set_nodes(const Mesh& mesh, std::span<const Face> faces)
   return {nodes.begin(), nodes.end()};
 }
 
-TriangleSurface triangulate(const Mesh& mesh, std::span<const Face> faces) {
-  TriangleSurface surface;
+FaceTriangles triangulate(const Mesh& mesh, std::span<const Face> faces) {
+  FaceTriangles surface;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     std::vector<Index> n = mesh.face_nodes(faces[i]);
     std::rotate(n.begin(), std::ranges::min_element(n), n.end());

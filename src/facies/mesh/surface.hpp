@@ -27,14 +27,14 @@ using FaceKey = std::array<Index, 4>;
 [[nodiscard]] std::vector<Index> face_set_nodes(const Mesh& mesh, std::span<const Face> faces);
 
 /// Triangles on the mesh's node numbers, counter-clockwise seen from outside.
-struct TriangleSurface {
+struct FaceTriangles {
   std::vector<std::array<Index, 3>> triangles;
   std::vector<Index> face;  ///< of each triangle: position in the list of faces it was made from
 };
 
 /// Cuts each quadrilateral along the diagonal that starts at its smallest node number, so that both sides of a face
 /// get the same triangles.
-[[nodiscard]] TriangleSurface triangulate(const Mesh& mesh, std::span<const Face> faces);
+[[nodiscard]] FaceTriangles triangulate(const Mesh& mesh, std::span<const Face> faces);
 
 /// The integral of the outward unit normal over the face [mm^2]; half the cross product of a quadrilateral's diagonals,
 /// exact for the bilinear face.

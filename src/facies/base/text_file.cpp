@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "facies/anatomy/text_file.hpp"
+#include "facies/base/text_file.hpp"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 #include "facies/base/files.hpp"
 #include "facies/base/text.hpp"
 
-namespace facies::anatomy {
+namespace facies {
 namespace {
 
 constexpr std::size_t max_listed = 10;
@@ -101,4 +101,4 @@ std::string TextFile::where(std::size_t line, std::string_view piece) const {
   return fmt::format("{}:{}:{}", name_, line + 1, offset - lines_[line].begin + 1);
 }
 
-}  // namespace facies::anatomy
+}  // namespace facies

@@ -10,7 +10,7 @@
 
 #include "facies/base/error.hpp"
 
-namespace facies::anatomy {
+namespace facies {
 
 /// Problems of one kind in one place: the first ten as they are, the rest as a count.
 class ProblemsOfOneKind {
@@ -62,4 +62,4 @@ class TextFile {
   std::vector<Extent> lines_;
 };
 
-}  // namespace facies::anatomy
+}  // namespace facies
