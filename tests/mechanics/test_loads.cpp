@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "facies/mechanics/loads.hpp"
+#include "facies/mechanics/model.hpp"
 
 namespace facies::mechanics {
 namespace {
@@ -66,6 +67,25 @@ TEST(Gravity, PullsEveryMassAndDoesWork) {
   EXPECT_DOUBLE_EQ(r[5], 1.0 + 5e-6 * 9800);
   EXPECT_DOUBLE_EQ(r[4], 1.0);
   EXPECT_DOUBLE_EQ(gravity.energy(state, controls), 5e-6 * 9800 * 3);
+}
+
+TEST(Gravity, PullsRigidBodiesAtTheirCentres) {
+  RigidBody body;
+  body.mass = 0.2;
+  const Model model(1, {body, body});
+  const Gravity gravity({2e-6}, model.bodies());
+  State state = model.initial_state();
+  state.bodies[1].u = {0, 0, 5};
+  Controls controls;
+  controls.gravity = controls.body_gravity = {0, 0, -9800};
+  std::vector<double> r(model.n_dofs(), 0.0);
+  ASSERT_TRUE(gravity.add_residual(state, controls, r, nullptr));
+  for (const Index b : {0, 1}) {
+    EXPECT_DOUBLE_EQ(r[at(model.body_dof(b, 2))], 0.2 * 9800);
+    EXPECT_EQ(r[at(model.body_dof(b, 3))], 0.0);
+  }
+  EXPECT_DOUBLE_EQ(r[2], 2e-6 * 9800);
+  EXPECT_DOUBLE_EQ(gravity.energy(state, controls), 0.2 * 9800 * 5);
 }
 
 TEST(NodalForces, AreNothingWhereNoneAreGiven) {

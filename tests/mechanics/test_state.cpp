@@ -9,7 +9,11 @@ namespace facies::mechanics {
 namespace {
 
 Controls controls(double activation, const Vec3& gravity, std::vector<Vec3> nodal_force) {
-  return {{activation}, gravity, std::move(nodal_force)};
+  Controls controls;
+  controls.activation = {activation};
+  controls.gravity = gravity;
+  controls.nodal_force = std::move(nodal_force);
+  return controls;
 }
 
 TEST(InterpolatedControls, LieOnTheLineBetweenTheirEnds) {
@@ -40,8 +44,28 @@ TEST(InterpolatedControls, TakeNoForcesAsZeroForces) {
   EXPECT_TRUE(interpolate(free, free, 0.5).nodal_force.empty());
 }
 
+TEST(InterpolatedControls, WeighBodiesApartFromTissue) {
+  Controls heavy;
+  heavy.body_gravity = {0, 0, -400};
+  EXPECT_EQ(interpolate({}, heavy, 0.25).body_gravity, Vec3(0, 0, -100));
+  EXPECT_EQ(interpolate({}, heavy, 0.25).gravity, Vec3::Zero());
+}
+
+TEST(InterpolatedControls, TakeNoExcitationsAsZero) {
+  Controls excited;
+  excited.excitation = {0.5, 1.0};
+  EXPECT_EQ(interpolate({}, excited, 0.5).excitation, (std::vector<double>{0.25, 0.5}));
+  EXPECT_EQ(interpolate(excited, {}, 0.75).excitation, (std::vector<double>{0.125, 0.25}));
+  EXPECT_EQ(interpolate(excited, excited, 1.0).excitation, excited.excitation);
+}
+
 TEST(InterpolatedControls, MustDriveTheSameMuscles) {
   const Controls none;
+  Controls one;
+  one.excitation = {0.5};
+  Controls two;
+  two.excitation = {0.5, 0.5};
+  EXPECT_THROW((void)interpolate(one, two, 0.5), BugError);
   EXPECT_THROW((void)interpolate(none, controls(0.5, Vec3::Zero(), {}), 0.5), BugError);
 }
 

@@ -101,7 +101,7 @@ TEST_P(AnyTerm, HasTheDerivativeOfItsResidualAsTangent) {
 
 TEST_P(AnyTerm, ListsGroupsOfUnknownsThatExistOnce) {
   Stencils stencils;
-  model_.terms()[0]->list_stencils(stencils);
+  model_.terms()[0]->list_stencils(state_, stencils);
   for (std::size_t g = 0; g < stencils.size(); ++g) {
     std::set<Index> seen;
     for (const Index dof : stencils[g]) {

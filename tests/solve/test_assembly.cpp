@@ -52,7 +52,7 @@ class AssemblyOfASolid : public ::testing::Test {
 TEST_F(AssemblyOfASolid, IsTheDenseTangentOverTheFreeUnknowns) {
   const Eigen::MatrixXd K = support::dense_tangent(model_.model, state_, controls_);
   std::vector<double> values(assembly_.pattern().n_nonzeros(), 7.0);  // overwritten
-  assembly_.tangent(state_, controls_, Blocks::exact, values, {}, {});
+  assembly_.tangent(state_, controls_, 0.0, values, {}, {});
   Eigen::MatrixXd left_over = K;
   for (const Index dof : held_) {
     left_over.row(dof).setZero();
@@ -80,7 +80,7 @@ TEST_F(AssemblyOfASolid, GivesTheForcesOfPrescribedUnknownsThatMove) {
   const Eigen::VectorXd expected = K * moves;
   std::vector<double> values(assembly_.pattern().n_nonzeros());
   std::vector<double> coupling(assembly_.equations().size(), 0.0);
-  assembly_.tangent(state_, controls_, Blocks::exact, values,
+  assembly_.tangent(state_, controls_, 0.0, values,
                     {moves.data(), static_cast<std::size_t>(moves.size())}, coupling);
   for (std::size_t k = 0; k < coupling.size(); ++k)
     EXPECT_NEAR(coupling[k], expected(assembly_.equations().dof_of_equation[k]), 1e-10);
@@ -92,8 +92,8 @@ TEST_F(AssemblyOfASolid, MadePositiveDoesNotLoseStiffnessAndHasNoNegativeEigenva
   controls_.activation = {0.0};
   std::vector<double> exact(assembly_.pattern().n_nonzeros());
   std::vector<double> positive(assembly_.pattern().n_nonzeros());
-  assembly_.tangent(state_, controls_, Blocks::exact, exact, {}, {});
-  assembly_.tangent(state_, controls_, Blocks::positive, positive, {}, {});
+  assembly_.tangent(state_, controls_, 0.0, exact, {}, {});
+  assembly_.tangent(state_, controls_, 1.0, positive, {}, {});
   const Eigen::MatrixXd K = dense(exact);
   const Eigen::MatrixXd K_positive = dense(positive);
   ASSERT_LT(support::symmetric_eigenvalues(K).front(), -0.1)
@@ -108,8 +108,8 @@ TEST_F(AssemblyOfASolid, MadePositiveIsTheTangentWhereThatIsPositiveAlready) {
   controls_.activation = {0.0};
   std::vector<double> exact(assembly_.pattern().n_nonzeros());
   std::vector<double> positive(assembly_.pattern().n_nonzeros());
-  assembly_.tangent(state_, controls_, Blocks::exact, exact, {}, {});
-  assembly_.tangent(state_, controls_, Blocks::positive, positive, {}, {});
+  assembly_.tangent(state_, controls_, 0.0, exact, {}, {});
+  assembly_.tangent(state_, controls_, 1.0, positive, {}, {});
   for (std::size_t k = 0; k < exact.size(); ++k)
     EXPECT_NEAR(positive[k], exact[k], 1e-11);
 }
@@ -118,16 +118,16 @@ TEST_F(AssemblyOfASolid, HasTheSameBitsForAnyNumberOfThreads) {
   std::vector<double> moves(model_.model.n_dofs(), 0.0);
   for (const Index dof : held_)
     moves[at(dof)] = 0.1 * dof;
-  for (const Blocks blocks : {Blocks::exact, Blocks::positive}) {
+  for (const double positivity : {0.0, 0.5, 1.0}) {
     std::vector<double> values(assembly_.pattern().n_nonzeros());
     std::vector<double> coupling(assembly_.equations().size(), 0.0);
-    assembly_.tangent(state_, controls_, blocks, values, moves, coupling);
+    assembly_.tangent(state_, controls_, positivity, values, moves, coupling);
     for (const int threads : {2, 3, 4}) {
       const SolidModel again = make_model(threads);
       const Assembly assembly(again.model, held_);
       std::vector<double> values_again(values.size());
       std::vector<double> coupling_again(coupling.size(), 0.0);
-      assembly.tangent(state_, controls_, blocks, values_again, moves, coupling_again);
+      assembly.tangent(state_, controls_, positivity, values_again, moves, coupling_again);
       EXPECT_TRUE(support::same_bits(values, values_again)) << threads;
       EXPECT_TRUE(support::same_bits(coupling, coupling_again)) << threads;
     }

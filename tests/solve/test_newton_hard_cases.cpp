@@ -104,7 +104,7 @@ class Column : public ::testing::Test {
   [[nodiscard]] int negative_eigenvalues(const State& state) const {
     const Assembly assembly(column_.model, pressed_.dofs);
     std::vector<double> values(assembly.pattern().n_nonzeros());
-    assembly.tangent(state, {}, Blocks::exact, values, {}, {});
+    assembly.tangent(state, {}, 0.0, values, {}, {});
     SymmetricFactor factor(assembly.pattern());
     return factor.factorise(values);
   }

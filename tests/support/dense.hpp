@@ -16,8 +16,9 @@ namespace facies::support {
 /// Adds the blocks of one term to a dense matrix over all unknowns, from the lower triangles alone.
 class DenseSink final : public mechanics::TangentSink {
  public:
-  DenseSink(const mechanics::Term& term, Eigen::MatrixXd& K) : K_(K) {
-    term.list_stencils(stencils_);
+  DenseSink(const mechanics::Term& term, const mechanics::State& state, Eigen::MatrixXd& K)
+      : K_(K) {
+    term.list_stencils(state, stencils_);
   }
 
   void add(std::size_t stencil, std::span<const double> block) override {
@@ -42,7 +43,7 @@ inline Eigen::MatrixXd dense_tangent(const mechanics::Model& model, const mechan
   const auto n = static_cast<Eigen::Index>(model.n_dofs());
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
   for (const auto& term : model.terms()) {
-    DenseSink sink(*term, K);
+    DenseSink sink(*term, state, K);
     term->add_tangent(state, controls, sink);
   }
   return K;

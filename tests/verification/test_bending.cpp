@@ -88,7 +88,8 @@ class PointwiseVolume final : public mechanics::Term {
     return admissible;
   }
 
-  void list_stencils(mechanics::Stencils& stencils) const override {
+  void list_stencils(const mechanics::State& /*state*/,
+                     mechanics::Stencils& stencils) const override {
     for (const mesh::Element& element : mesh_.elements()) {
       std::vector<Index> dofs;
       for (const Index node : element.connectivity()) {

@@ -2,14 +2,14 @@
 #include "facies/mechanics/loads.hpp"
 
 #include "facies/mechanics/kinematics.hpp"
+#include "facies/mechanics/model.hpp"
 
 namespace facies::mechanics {
 
 namespace {
 
-void subtract_force(std::span<double> r, std::size_t node, const Vec3& force) {
-  for (int axis = 0; axis < 3; ++axis)
-    r[at(dof(to_index(node), axis))] -= force(axis);
+void subtract_force(std::span<double> r, std::size_t first_dof, const Vec3& force) {
+  Eigen::Map<Vec3>(r.data() + first_dof) -= force;
 }
 
 }  // namespace
@@ -31,10 +31,19 @@ std::vector<double> lumped_mass(const mesh::Mesh& mesh, std::span<const double> 
   return mass;
 }
 
+Gravity::Gravity(std::vector<double> mass, std::span<const RigidBody> bodies)
+    : mass_(std::move(mass)) {
+  for (const RigidBody& body : bodies)
+    body_mass_.push_back(body.mass);
+}
+
 double Gravity::energy(const State& state, const Controls& controls) const {
   double work = 0.0;
   for (std::size_t node = 0; node < mass_.size(); ++node) {
     work += mass_[node] * controls.gravity.dot(state.u[node]);
+  }
+  for (std::size_t body = 0; body < body_mass_.size(); ++body) {
+    work += body_mass_[body] * controls.body_gravity.dot(state.bodies[body].u);
   }
   return -work;
 }
@@ -42,7 +51,11 @@ double Gravity::energy(const State& state, const Controls& controls) const {
 bool Gravity::add_residual(const State& /*state*/, const Controls& controls, std::span<double> r,
                            Inadmissible* /*why*/) const {
   for (std::size_t node = 0; node < mass_.size(); ++node)
-    subtract_force(r, node, mass_[node] * controls.gravity);
+    subtract_force(r, 3 * node, mass_[node] * controls.gravity);
+  for (std::size_t body = 0; body < body_mass_.size(); ++body) {
+    subtract_force(r, 3 * mass_.size() + dofs_of_body * body,
+                   body_mass_[body] * controls.body_gravity);
+  }
   return true;
 }
 
@@ -57,7 +70,7 @@ double NodalForces::energy(const State& state, const Controls& controls) const {
 bool NodalForces::add_residual(const State& /*state*/, const Controls& controls,
                                std::span<double> r, Inadmissible* /*why*/) const {
   for (std::size_t node = 0; node < controls.nodal_force.size(); ++node) {
-    subtract_force(r, node, controls.nodal_force[node]);
+    subtract_force(r, 3 * node, controls.nodal_force[node]);
   }
   return true;
 }

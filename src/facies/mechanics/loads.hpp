@@ -13,11 +13,11 @@ namespace facies::mechanics {
                                               std::span<const double> density,
                                               std::span<const Mat3> F0);
 
-/// Weight of the nodes' masses under Controls::gravity.
+/// Weight of nodes under Controls::gravity and of rigid bodies under Controls::body_gravity.
 class Gravity final : public Term {
  public:
-  /// mass [n_nodes] [kg]
-  explicit Gravity(std::vector<double> mass) : mass_(std::move(mass)) {}
+  /// mass [n_nodes] [kg]; `bodies` all those of the model, or none: they then have no weight.
+  explicit Gravity(std::vector<double> mass, std::span<const RigidBody> bodies = {});
 
   [[nodiscard]] std::string_view name() const override { return "gravity"; }
   [[nodiscard]] double energy(const State& state, const Controls& controls) const override;
@@ -27,6 +27,7 @@ class Gravity final : public Term {
 
  private:
   std::vector<double> mass_;
+  std::vector<double> body_mass_;
 };
 
 /// The forces of Controls::nodal_force.

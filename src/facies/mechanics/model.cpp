@@ -24,6 +24,34 @@ bool Model::residual(const State& state, const Controls& controls, std::span<dou
                      [&](const auto& term) { return term->add_residual(state, controls, r, why); });
 }
 
+State Model::moved(const State& state, std::span<const double> increments, double ratio) const {
+  require(increments.size() == n_dofs(), "increments have one entry per unknown");
+  State after = state;
+  for (std::size_t node = 0; node < n_nodes_; ++node) {
+    const Eigen::Map<const Vec3> du(increments.data() + 3 * node);
+    after.u[node] += ratio * du;
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const double* six = increments.data() + at(body_dof(to_index(b), 0));
+    const Eigen::Map<const Vec3> way(six);
+    const Eigen::Map<const Vec3> turn(six + 3);
+    after.bodies[b] =
+        mechanics::moved(state.bodies[b], ratio * way, ratio / bodies_[b].arm() * turn);
+  }
+  return after;
+}
+
+double Model::value_of(const State& state, Index dof) const {
+  return at(dof) < 3 * n_nodes_ ? state.u[at(dof / 3)](dof % 3) : 0.0;
+}
+
+double Model::longest_step(const State& from, const State& to) const {
+  double step = 1.0;
+  for (const auto& term : terms_)
+    step = std::min(step, term->longest_step(from, to));
+  return step;
+}
+
 Inadmissible Model::overgrown(const State& state) const {
   Inadmissible worst;
   for (const auto& term : terms_) {

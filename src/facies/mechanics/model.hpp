@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model: a mesh and the terms that act on it. Const once built.
+// The model: nodes and rigid bodies, and the terms that act on them. Const once built.
 #pragma once
 
 #include <memory>
@@ -9,12 +9,21 @@
 
 namespace facies::mechanics {
 
+/// Unknowns of a rigid body: the way of its centre, then its rotation in space times RigidBody::arm, all in mm.
+inline constexpr std::size_t dofs_of_body = 6;
+
 class Model {
  public:
-  explicit Model(std::size_t n_nodes) : n_nodes_(n_nodes) {}
+  explicit Model(std::size_t n_nodes, std::vector<RigidBody> bodies = {})
+      : n_nodes_(n_nodes), bodies_(std::move(bodies)) {}
 
   [[nodiscard]] std::size_t n_nodes() const { return n_nodes_; }
-  [[nodiscard]] std::size_t n_dofs() const { return 3 * n_nodes_; }
+  [[nodiscard]] std::span<const RigidBody> bodies() const { return bodies_; }
+  [[nodiscard]] std::size_t n_dofs() const { return 3 * n_nodes_ + dofs_of_body * bodies_.size(); }
+  /// Unknown number of component 0..5 of a body.
+  [[nodiscard]] Index body_dof(Index body, int component) const {
+    return to_index(3 * n_nodes_ + dofs_of_body * at(body)) + component;
+  }
   [[nodiscard]] std::span<const std::unique_ptr<const Term>> terms() const { return terms_; }
 
   /// Adds a term; the reference stays valid as long as the model.
@@ -26,7 +35,16 @@ class Model {
   }
 
   /// The undeformed state.
-  [[nodiscard]] State initial_state() const { return {std::vector<Vec3>(n_nodes_, Vec3::Zero())}; }
+  [[nodiscard]] State initial_state() const {
+    return {std::vector<Vec3>(n_nodes_, Vec3::Zero()), std::vector<Pose>(bodies_.size())};
+  }
+
+  /// The state after a further `ratio` times these increments of the unknowns [n_dofs] [mm].
+  [[nodiscard]] State moved(const State& state, std::span<const double> increments,
+                            double ratio) const;
+
+  /// What is held or led has this value [mm]: a node's displacement; 0 for a body.
+  [[nodiscard]] double value_of(const State& state, Index dof) const;
 
   /// Total energy [uJ]; +infinity for an inadmissible state.
   [[nodiscard]] double energy(const State& state, const Controls& controls) const;
@@ -38,8 +56,12 @@ class Model {
   /// Where an admissible state lies beyond what the laws hold for (Term::overgrown); element -1: nowhere.
   [[nodiscard]] Inadmissible overgrown(const State& state) const;
 
+  /// How much of the way from one state to the other can be gone without anything passing through something else, 0..1.
+  [[nodiscard]] double longest_step(const State& from, const State& to) const;
+
  private:
   std::size_t n_nodes_;
+  std::vector<RigidBody> bodies_;
   std::vector<std::unique_ptr<const Term>> terms_;
 };
 

@@ -192,7 +192,7 @@ Inadmissible Solid::overgrown(const State& state) const {
   return worst;
 }
 
-void Solid::list_stencils(Stencils& stencils) const {
+void Solid::list_stencils(const State& /*state*/, Stencils& stencils) const {
   std::vector<Index> group;
   for (const mesh::Element& element : mesh_.elements()) {
     group.clear();

@@ -46,7 +46,7 @@ class Solid final : public Term {
   [[nodiscard]] bool add_residual(const State& state, const Controls& controls, std::span<double> r,
                                   Inadmissible* why) const override;
   [[nodiscard]] Inadmissible overgrown(const State& state) const override;
-  void list_stencils(Stencils& stencils) const override;
+  void list_stencils(const State& state, Stencils& stencils) const override;
   void add_tangent(const State& state, const Controls& controls, TangentSink& K) const override;
 
   /// Mean Cauchy stress and dilatation of every element [n_elements] of an admissible state.

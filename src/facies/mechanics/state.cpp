@@ -9,25 +9,36 @@ namespace facies::mechanics {
 
 namespace {
 
-Vec3 force_or_zero(const std::vector<Vec3>& force, std::size_t node) {
-  return force.empty() ? Vec3(Vec3::Zero()) : force[node];
+/// The list on the straight line from `a` to `b`; an empty one counts as `zero`.
+template <class T>
+std::vector<T> between(const std::vector<T>& a, const std::vector<T>& b, double s, const T& zero) {
+  std::vector<T> result(std::max(a.size(), b.size()), zero);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const T& from = a.empty() ? zero : a[i];
+    const T& to = b.empty() ? zero : b[i];
+    result[i] = (1.0 - s) * from + s * to;
+  }
+  return result;
+}
+
+bool fit(std::size_t a, std::size_t b) {
+  return a == b || a == 0 || b == 0;
 }
 
 }  // namespace
 
 Controls interpolate(const Controls& a, const Controls& b, double s) {
   require(a.activation.size() == b.activation.size(), "both controls must drive the same muscles");
+  require(fit(a.excitation.size(), b.excitation.size()),
+          "both controls must drive the same point-to-point muscles");
+  require(fit(a.nodal_force.size(), b.nodal_force.size()),
+          "both controls must load the same nodes");
   Controls result;
-  result.activation.resize(a.activation.size());
-  for (std::size_t m = 0; m < a.activation.size(); ++m) {
-    result.activation[m] = (1.0 - s) * a.activation[m] + s * b.activation[m];
-  }
+  result.activation = between(a.activation, b.activation, s, 0.0);
+  result.excitation = between(a.excitation, b.excitation, s, 0.0);
   result.gravity = (1.0 - s) * a.gravity + s * b.gravity;
-  result.nodal_force.resize(std::max(a.nodal_force.size(), b.nodal_force.size()));
-  for (std::size_t node = 0; node < result.nodal_force.size(); ++node) {
-    result.nodal_force[node] =
-        (1.0 - s) * force_or_zero(a.nodal_force, node) + s * force_or_zero(b.nodal_force, node);
-  }
+  result.body_gravity = (1.0 - s) * a.body_gravity + s * b.body_gravity;
+  result.nodal_force = between(a.nodal_force, b.nodal_force, s, Vec3(Vec3::Zero()));
   return result;
 }
 

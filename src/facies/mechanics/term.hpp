@@ -77,8 +77,18 @@ class Term {
   /// be evaluated, and iterations may pass through them, but an equilibrium there means nothing.
   [[nodiscard]] virtual Inadmissible overgrown(const State& /*state*/) const { return {}; }
 
-  /// The groups that add_tangent fills, in its numbering. Fixed for the life of the term.
-  virtual void list_stencils(Stencils& /*stencils*/) const {}
+  /// How much of the way between two states can be gone without passing through something, 0..1.
+  [[nodiscard]] virtual double longest_step(const State& /*from*/, const State& /*to*/) const {
+    return 1.0;
+  }
+
+  /// The groups that add_tangent fills, in its numbering. Fixed for the life of the term, unless couplings_change().
+  virtual void list_stencils(const State& /*state*/, Stencils& /*stencils*/) const {}
+
+  /// True for a term whose groups depend on the state (contact): add_tangent then fills those of list_stencils at the
+  /// same state, and likely_stencils tells what else may come nearby.
+  [[nodiscard]] virtual bool couplings_change() const { return false; }
+  virtual void likely_stencils(const State& /*state*/, Stencils& /*stencils*/) const {}
 
   /// Adds K [mN/mm] group by group. Only called for admissible states.
   virtual void add_tangent(const State& /*state*/, const Controls& /*controls*/,

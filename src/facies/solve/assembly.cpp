@@ -54,11 +54,11 @@ class ValueSink final : public mechanics::TangentSink {
   std::span<double> coupling_;
 };
 
-/// Makes every block positive semi-definite before it is added.
+/// Makes the negative eigenvalues of every block smaller before it is added.
 class PositiveSink final : public mechanics::TangentSink {
  public:
-  PositiveSink(const mechanics::Stencils& stencils, mechanics::TangentSink& next)
-      : stencils_(stencils), next_(next) {}
+  PositiveSink(const mechanics::Stencils& stencils, double positivity, mechanics::TangentSink& next)
+      : stencils_(stencils), positivity_(positivity), next_(next) {}
 
   void add(std::size_t stencil, std::span<const double> block) override {
     // An element's matrix at most: fixed storage keeps the eigenvalue solver off the heap.
@@ -72,43 +72,76 @@ class PositiveSink final : public mechanics::TangentSink {
       return;
     }
     const Block& V = modes.eigenvectors();
-    const Block positive = V * modes.eigenvalues().cwiseMax(0.0).asDiagonal() * V.transpose();
-    next_.add(stencil, {positive.data(), block.size()});
+    const auto lambda = modes.eigenvalues();
+    const Block changed =
+        V * (lambda - positivity_ * lambda.cwiseMin(0.0)).asDiagonal() * V.transpose();
+    next_.add(stencil, {changed.data(), block.size()});
   }
 
  private:
   const mechanics::Stencils& stencils_;
+  double positivity_;
   mechanics::TangentSink& next_;
 };
 
-std::vector<mechanics::Stencils> list_stencils(const mechanics::Model& model) {
+/// The groups of every term; of those that change, what may couple near the state.
+std::vector<mechanics::Stencils> list_stencils(const mechanics::Model& model,
+                                               const mechanics::State& near) {
   std::vector<mechanics::Stencils> lists;
-  for (const auto& term : model.terms())
-    term->list_stencils(lists.emplace_back());
+  for (const auto& term : model.terms()) {
+    mechanics::Stencils& list = lists.emplace_back();
+    term->list_stencils(near, list);
+    if (term->couplings_change()) term->likely_stencils(near, list);
+  }
   return lists;
 }
 
 }  // namespace
 
 Assembly::Assembly(const mechanics::Model& model, std::span<const Index> prescribed)
-    : model_(model),
-      stencils_(list_stencils(model)),
-      equations_(number_equations(model.n_dofs(), prescribed)),
-      pattern_(build_pattern(stencils_, equations_)) {
-  for (const mechanics::Stencils& list : stencils_)
-    slots_.push_back(find_slots(list, equations_, pattern_));
+    : model_(model), equations_(number_equations(model.n_dofs(), prescribed)) {
+  widen(model.initial_state());
+}
+
+void Assembly::widen(const mechanics::State& state) {
+  stencils_ = list_stencils(model_, state);
+  pattern_ = build_pattern(stencils_, equations_);
+  slots_.clear();
+  for (std::size_t t = 0; t < stencils_.size(); ++t) {
+    if (model_.terms()[t]->couplings_change()) stencils_[t] = {};
+    slots_.push_back(find_slots(stencils_[t], equations_, pattern_));
+  }
+}
+
+bool Assembly::covers(const mechanics::State& state) const {
+  return std::all_of(model_.terms().begin(), model_.terms().end(), [&](const auto& term) {
+    if (!term->couplings_change()) return true;
+    mechanics::Stencils now;
+    term->list_stencils(state, now);
+    const Slots slots = find_slots(now, equations_, pattern_);
+    return std::find(slots.slot.begin(), slots.slot.end(), -1) == slots.slot.end();
+  });
 }
 
 void Assembly::tangent(const mechanics::State& state, const mechanics::Controls& controls,
-                       Blocks blocks, std::span<double> values, std::span<const double> moves,
+                       double positivity, std::span<double> values, std::span<const double> moves,
                        std::span<double> coupling) const {
   std::fill(values.begin(), values.end(), 0.0);
   for (std::size_t t = 0; t < slots_.size(); ++t) {
-    ValueSink sink(stencils_[t], slots_[t], equations_, values, moves, coupling);
-    PositiveSink positive(stencils_[t], sink);
+    const mechanics::Term& term = *model_.terms()[t];
+    mechanics::Stencils now;
+    Slots slots_now;
+    if (term.couplings_change()) {
+      term.list_stencils(state, now);
+      slots_now = find_slots(now, equations_, pattern_);
+    }
+    const mechanics::Stencils& stencils = term.couplings_change() ? now : stencils_[t];
+    const Slots& slots = term.couplings_change() ? slots_now : slots_[t];
+    ValueSink sink(stencils, slots, equations_, values, moves, coupling);
+    PositiveSink positive(stencils, positivity, sink);
     mechanics::TangentSink& first =
-        blocks == Blocks::positive ? static_cast<mechanics::TangentSink&>(positive) : sink;
-    model_.terms()[t]->add_tangent(state, controls, first);
+        positivity > 0.0 ? static_cast<mechanics::TangentSink&>(positive) : sink;
+    term.add_tangent(state, controls, first);
   }
 }
 

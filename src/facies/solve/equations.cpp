@@ -25,7 +25,8 @@ Equations number_equations(std::size_t n_dofs, std::span<const Index> prescribed
 Index SparsityPattern::position(Index row, Index wanted) const {
   const auto begin = column.begin() + row_begin[at(row)];
   const auto end = column.begin() + row_begin[at(row) + 1];
-  return static_cast<Index>(std::lower_bound(begin, end, wanted) - column.begin());
+  const auto place = std::lower_bound(begin, end, wanted);
+  return place == end || *place != wanted ? -1 : static_cast<Index>(place - column.begin());
 }
 
 namespace {
@@ -90,7 +91,7 @@ Slots find_slots(const mechanics::Stencils& stencils, const Equations& equations
       const Index b = equations.equation_of_dof[at(group[j])];
       for (std::size_t i = j; i < group.size(); ++i) {
         const Index a = equations.equation_of_dof[at(group[i])];
-        slots.slot.push_back(a < 0 || b < 0 ? -1
+        slots.slot.push_back(a < 0 || b < 0 ? Slots::prescribed
                                             : pattern.position(std::min(a, b), std::max(a, b)));
       }
     }

@@ -27,7 +27,7 @@ struct SparsityPattern {
 
   [[nodiscard]] std::size_t size() const { return row_begin.size() - 1; }
   [[nodiscard]] std::size_t n_nonzeros() const { return column.size(); }
-  /// Position of (row, column), row <= column, which must be in the pattern.
+  /// Position of (row, column), row <= column; -1 where it is not in the pattern.
   [[nodiscard]] Index position(Index row, Index column) const;
 };
 
@@ -36,8 +36,9 @@ struct SparsityPattern {
                                             const Equations& equations);
 
 /// Where the lower triangle of each group's block goes among the nonzeros: entries (i, j), i >= j, column by column;
-/// -1 where an unknown of the pair is prescribed.
+/// `prescribed` where an unknown of the pair is prescribed, -1 where the pattern lacks the pair.
 struct Slots {
+  static constexpr Index prescribed = -2;
   std::vector<std::size_t> begin;  ///< [n_groups + 1]
   std::vector<Index> slot;
 };

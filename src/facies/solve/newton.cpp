@@ -17,6 +17,7 @@ namespace {
 constexpr double first_shift = 0.01;
 constexpr double grow = 8.0;
 constexpr double largest_shift = 1e4;
+constexpr double smallest_positivity = 1.0 / 64.0;
 constexpr double smallest_step = 1.0 / 65536.0;
 constexpr double sufficient = 1e-4;    // part of the expected decrease of energy that is enough
 constexpr double accepted_work = 0.9;  // part of the starting work that may remain after a step
@@ -35,21 +36,23 @@ double norm(std::span<const double> v) {
 
 /// What one call of solve() works on.
 struct Equilibrium::Work {
-  std::vector<double> r;         // [n_dofs]
-  std::vector<double> values;    // nonzeros of K
-  std::vector<double> moves;     // [n_dofs] what prescribed unknowns still have to move
-  std::vector<double> coupling;  // [n_equations]
-  std::vector<double> rhs;       // [n_equations]
-  std::vector<double> step;      // [n_equations]
-  bool moving = false;           // some prescribed unknown still has to move
-  int overgrown = 0;             // states in a row with an overgrown element
+  std::vector<double> r;          // [n_dofs]
+  std::vector<double> values;     // nonzeros of K
+  std::vector<double> moves;      // [n_dofs] what prescribed unknowns still have to move
+  std::vector<double> coupling;   // [n_equations]
+  std::vector<double> rhs;        // [n_equations]
+  std::vector<double> step;       // [n_equations]
+  std::vector<double> increment;  // [n_dofs] the step and the moves
+  bool moving = false;            // some prescribed unknown still has to move
+  double positivity = 1.0;        // to be tried next where K is indefinite
+  int overgrown = 0;              // states in a row with an overgrown element
 };
 
 Equilibrium::Equilibrium(const mechanics::Model& model, std::vector<Index> prescribed)
     : model_(model),
       prescribed_(std::move(prescribed)),
       assembly_(model, prescribed_),
-      factor_(assembly_.pattern()) {}
+      factor_(std::make_unique<SymmetricFactor>(assembly_.pattern())) {}
 
 /// Residual over the free unknowns, the scale it is compared with, and where the largest of it is.
 void Equilibrium::measure(Work& work, const mechanics::Controls& controls,
@@ -67,7 +70,7 @@ void Equilibrium::measure(Work& work, const mechanics::Controls& controls,
     free_sum += square;
     if (square > largest) {
       largest = square;
-      report.worst_node = to_index(dof / 3);
+      report.worst_node = dof < 3 * model_.n_nodes() ? to_index(dof / 3) : -1;
     }
   }
   double applied = 0.0;
@@ -79,39 +82,56 @@ void Equilibrium::measure(Work& work, const mechanics::Controls& controls,
 
 /// Assembles and factorises; false where the matrix is not positive definite, so that its step might go uphill in energy.
 bool Equilibrium::factorise(Work& work, const mechanics::State& state,
-                            const mechanics::Controls& controls, Iteration& iteration) {
+                            const mechanics::Controls& controls, double positivity,
+                            Iteration& iteration) {
+  if (!assembly_.covers(state)) {
+    assembly_.widen(state);
+    factor_ = std::make_unique<SymmetricFactor>(assembly_.pattern());
+  }
+  work.values.resize(assembly_.pattern().n_nonzeros());
   work.coupling.assign(work.rhs.size(), 0.0);
-  assembly_.tangent(state, controls, iteration.exact ? Blocks::exact : Blocks::positive,
-                    work.values, work.moving ? work.moves : std::span<const double>(),
-                    work.coupling);
+  assembly_.tangent(state, controls, positivity, work.values,
+                    work.moving ? work.moves : std::span<const double>(), work.coupling);
   const SparsityPattern& pattern = assembly_.pattern();
   for (std::size_t row = 0; row < pattern.size(); ++row) {
     double& diagonal = work.values[at(pattern.row_begin[row])];
     diagonal += iteration.shift * std::abs(diagonal);
   }
   ++iteration.factorisations;
-  return factor_.factorise(work.values) == 0;
+  return factor_->factorise(work.values) == 0;
 }
 
-/// A step from K itself for exact `blocks`, if K is positive definite; else from its positive part, and where even that
-/// leads nowhere, from the same with a growing diagonal: shorter and shorter steps down the gradient.
+/// A step from K itself where that is wanted and positive definite. Else from K with the negative eigenvalues of its blocks
+/// made smaller, by as little as it takes: near a saddle that leads away from it fast. Where even blocks without any
+/// lead nowhere, with a growing diagonal: shorter and shorter steps down the gradient.
 bool Equilibrium::take_step(Work& work, mechanics::State& state,
-                            const mechanics::Controls& controls, Blocks blocks,
-                            Iteration& iteration, NewtonReport& report) {
-  iteration.exact = blocks == Blocks::exact;
+                            const mechanics::Controls& controls, bool exact, Iteration& iteration,
+                            NewtonReport& report) {
+  const double first = work.positivity;
+  double positivity = exact ? 0.0 : first;
   while (iteration.shift <= largest_shift) {
-    if (factorise(work, state, controls, iteration)) {
+    const bool definite = factorise(work, state, controls, positivity, iteration);
+    if (definite) {
       for (std::size_t k = 0; k < work.rhs.size(); ++k) {
         work.rhs[k] = -work.r[at(assembly_.equations().dof_of_equation[k])] - work.coupling[k];
       }
-      factor_.solve(work.rhs, work.step);
+      factor_->solve(work.rhs, work.step);
       iteration.step_length = find_step(work, state, controls, report);
-      if (iteration.step_length > 0.0) return true;
     }
-    if (iteration.exact) {
-      iteration.exact = false;
-    } else {
+    if (iteration.step_length > 0.0) {
+      iteration.exact = positivity == 0.0;
+      // What did at once may be more than it takes; what did not is what it takes.
+      const bool at_once = positivity == first;
+      if (!iteration.exact)
+        work.positivity = at_once ? std::max(smallest_positivity, 0.5 * positivity) : positivity;
+      return true;
+    }
+    if (positivity == 1.0) {
       iteration.shift = std::max(first_shift, grow * iteration.shift);
+    } else if (definite) {
+      positivity = 1.0;
+    } else {
+      positivity = positivity == 0.0 ? first : std::min(1.0, 4.0 * positivity);
     }
   }
   return false;
@@ -126,17 +146,6 @@ double Equilibrium::work_of_free(std::span<const double> r,
   return sum;
 }
 
-mechanics::State Equilibrium::moved(const Work& work, const mechanics::State& state,
-                                    double step) const {
-  mechanics::State trial = state;
-  const std::vector<Index>& dofs = assembly_.equations().dof_of_equation;
-  for (std::size_t k = 0; k < dofs.size(); ++k)
-    trial.u[at(dofs[k] / 3)](dofs[k] % 3) += step * work.step[k];
-  for (const Index dof : prescribed_)
-    trial.u[at(dof / 3)](dof % 3) += step * work.moves[at(dof)];
-  return trial;
-}
-
 /// Longest part of the Newton step that leads to an admissible state nearer to equilibrium: the residual's work along the
 /// step fell, or the energy did. (Near equilibrium only the work tells: differences of energy drown in rounding.) Updates
 /// state and residual; 0 where no part will do.
@@ -144,10 +153,13 @@ double Equilibrium::find_step(Work& work, mechanics::State& state,
                               const mechanics::Controls& controls, NewtonReport& report) const {
   const double work_before = std::abs(work_of_free(work.r, work.step));
   const double energy_before = work.moving ? 0.0 : model_.energy(state, controls);
+  work.increment = work.moves;
+  for (std::size_t k = 0; k < work.step.size(); ++k)
+    work.increment[at(assembly_.equations().dof_of_equation[k])] = work.step[k];
   std::vector<double> r(work.r.size());
-  double step = 1.0;
+  double step = model_.longest_step(state, model_.moved(state, work.increment, 1.0));
   while (step >= smallest_step) {
-    mechanics::State trial = moved(work, state, step);
+    mechanics::State trial = model_.moved(state, work.increment, step);
     double shorten = 0.5;
     if (model_.residual(trial, controls, r, &report.inadmissible)) {
       const double work_after = work_of_free(r, work.step);
@@ -173,7 +185,7 @@ void Equilibrium::update_moves(Work& work, const mechanics::State& state,
   work.moving = false;
   for (std::size_t k = 0; k < prescribed_.size(); ++k) {
     const Index dof = prescribed_[k];
-    const double move = values[k] - state.u[at(dof / 3)](dof % 3);
+    const double move = values[k] - model_.value_of(state, dof);
     work.moves[at(dof)] = move;
     const bool arrived =
         std::abs(move) <= 1e-14 * (1.0 + std::abs(values[k]));  // never, where a value is NaN
@@ -217,7 +229,6 @@ NewtonReport Equilibrium::solve(mechanics::State& state, const mechanics::Contro
   NewtonReport report;
   Work work;
   work.r.resize(model_.n_dofs());
-  work.values.resize(assembly_.pattern().n_nonzeros());
   work.moves.assign(model_.n_dofs(), 0.0);
   work.rhs.resize(assembly_.equations().size());
   work.step.resize(assembly_.equations().size());
@@ -237,9 +248,8 @@ NewtonReport Equilibrium::solve(mechanics::State& state, const mechanics::Contro
     const bool promising = iteration.exact || report.residual < 0.5 * previous;
     previous = report.residual;
     iteration = Iteration{.number = ++report.iterations};
-    const Blocks blocks =
-        promising || report.iterations % 3 == 0 ? Blocks::exact : Blocks::positive;
-    const bool stepped = take_step(work, state, controls, blocks, iteration, report);
+    const bool exact = promising || report.iterations % 3 == 0;
+    const bool stepped = take_step(work, state, controls, exact, iteration, report);
     report.factorisations += iteration.factorisations;
     if (!stepped) {
       report.reason = "no admissible state along any descent step carries less residual";

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -63,21 +64,20 @@ class Equilibrium {
                              const NewtonSettings& settings, NewtonReport& report) const;
   void measure(Work& work, const mechanics::Controls& controls, NewtonReport& report) const;
   [[nodiscard]] bool factorise(Work& work, const mechanics::State& state,
-                               const mechanics::Controls& controls, Iteration& iteration);
+                               const mechanics::Controls& controls, double positivity,
+                               Iteration& iteration);
   [[nodiscard]] bool take_step(Work& work, mechanics::State& state,
-                               const mechanics::Controls& controls, Blocks blocks,
+                               const mechanics::Controls& controls, bool exact,
                                Iteration& iteration, NewtonReport& report);
   [[nodiscard]] double find_step(Work& work, mechanics::State& state,
                                  const mechanics::Controls& controls, NewtonReport& report) const;
-  [[nodiscard]] mechanics::State moved(const Work& work, const mechanics::State& state,
-                                       double step) const;
   [[nodiscard]] double work_of_free(std::span<const double> r,
                                     std::span<const double> direction) const;
 
   const mechanics::Model& model_;
   std::vector<Index> prescribed_;
   Assembly assembly_;
-  SymmetricFactor factor_;
+  std::unique_ptr<SymmetricFactor> factor_;  // of the assembly's present pattern
 };
 
 /// One-shot: equilibrium under `controls` with the given unknowns prescribed.

@@ -12,11 +12,11 @@ namespace {
 /// Iterations of a converged increment up to which the next one may be larger.
 constexpr int easy = 8;
 
-std::vector<double> current_values(const mechanics::State& state, std::span<const Index> dofs) {
+std::vector<double> current_values(const Equilibrium& equilibrium, const mechanics::State& state) {
   std::vector<double> values;
-  values.reserve(dofs.size());
-  for (const Index dof : dofs)
-    values.push_back(state.u[at(dof / 3)](dof % 3));
+  values.reserve(equilibrium.prescribed().size());
+  for (const Index dof : equilibrium.prescribed())
+    values.push_back(equilibrium.model().value_of(state, dof));
   return values;
 }
 
@@ -26,6 +26,8 @@ mechanics::State extrapolate(const mechanics::State& before, const mechanics::St
   mechanics::State guess = now;
   for (std::size_t node = 0; node < guess.u.size(); ++node)
     guess.u[node] += ratio * (now.u[node] - before.u[node]);
+  for (std::size_t body = 0; body < guess.bodies.size(); ++body)
+    guess.bodies[body] = mechanics::extrapolate(before.bodies[body], now.bodies[body], ratio);
   return guess;
 }
 
@@ -35,7 +37,7 @@ StepReport advance(Equilibrium& equilibrium, mechanics::State& state,
                    const mechanics::Controls& from, const mechanics::Controls& to,
                    std::span<const double> targets, const StepSettings& settings,
                    const Increment& label, Observer& observer) {
-  const std::vector<double> start = current_values(state, equilibrium.prescribed());
+  const std::vector<double> start = current_values(equilibrium, state);
   mechanics::State before;  // the converged state before `state`; empty at first
   double last_size = 0.0;
   double size = std::clamp(settings.first_increment, settings.smallest_increment, 1.0);

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frictionless contact of points with a triangle surface: a barrier that keeps every point on its side.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "facies/math/barrier.hpp"
+#include "facies/math/point_triangle.hpp"
+#include "facies/mechanics/anchor.hpp"
+#include "facies/mesh/nearest.hpp"
+
+namespace facies::mechanics {
+
+/// A point that must not pass a surface, and the area that it stands for [mm^2].
+struct ContactPoint {
+  Anchor anchor;
+  double area = 0.0;
+};
+
+/// A surface that points must not pass from either side: a bone (all vertices in space or on one body) or tissue (all
+/// vertices on nodes).
+struct ContactSurface {
+  std::string name;
+  std::vector<Anchor> vertices;
+  std::vector<std::array<Index, 3>> triangles;
+};
+
+struct ContactSettings {
+  double d_hat = 0.1;  ///< distance from which on a surface is felt [mm]
+  double stiffness =
+      100.0;  ///< of the barrier [kPa/mm]; the pressure at d_hat/2 is 0.12 d_hat times this
+  double reach = 2.0;  ///< couplings are kept for what is nearer than this [mm]
+};
+
+/// What a surface feels.
+struct ContactReport {
+  int n_points = 0;                ///< points nearer than d_hat
+  double smallest_distance = 0.0;  ///< [mm]; infinity where nothing is near
+  double largest_pressure = 0.0;   ///< [kPa]
+  Vec3 force = Vec3::Zero();       ///< on the surface [mN]
+};
+
+/// E = sum over points and parts of the surface of area * stiffness * (+-b(d; d_hat)), with the unsigned distance d of the
+/// point to the part and the barrier b of Incremental Potential Contact (Li et al. 2020, Eq. 6). Parts are the triangles
+/// (+), the edges that two of them share (-) and the vertices inside the surface (+): so a plane is felt once however it
+/// is cut into triangles, the energy has continuous first derivatives everywhere, and the sides of a crease are both felt
+/// (li2023). E is infinite where a point touches, so none ever
+/// passes: longest_step() ends a step before (additive continuous collision detection, Li et al. 2021). A point does
+/// not feel parts that it is a vertex of.
+class Contact final : public Term {
+ public:
+  /// The model must outlive the term. Throws BugError for a surface that is neither bone nor tissue.
+  Contact(const Model& model, std::vector<ContactPoint> points, ContactSurface surface,
+          const ContactSettings& settings);
+
+  [[nodiscard]] std::string_view name() const override { return surface_.name; }
+  [[nodiscard]] double energy(const State& state, const Controls& controls) const override;
+  [[nodiscard]] bool add_residual(const State& state, const Controls& controls, std::span<double> r,
+                                  Inadmissible* why) const override;
+  [[nodiscard]] double longest_step(const State& from, const State& to) const override;
+  void list_stencils(const State& state, Stencils& stencils) const override;
+  [[nodiscard]] bool couplings_change() const override { return true; }
+  void likely_stencils(const State& state, Stencils& stencils) const override;
+  void add_tangent(const State& state, const Controls& controls, TangentSink& K) const override;
+
+  [[nodiscard]] ContactReport report(const State& state) const;
+
+ private:
+  /// A triangle, or an edge or vertex as a triangle with equal corners.
+  struct Part {
+    std::array<Index, 3> corners{};
+    double sign = 1.0;
+  };
+  struct Pair {
+    std::size_t point = 0;
+    Index part = -1;
+  };
+  /// A pair that is near, with what the barrier says of it.
+  struct Touch {
+    std::array<Anchor, 4> anchors;
+    DistanceResponse distance;
+    BarrierResponse barrier;
+  };
+  struct Geometry;
+
+  [[nodiscard]] bool is_rigid() const;
+  [[nodiscard]] Geometry places(const State& state) const;
+  [[nodiscard]] std::optional<Geometry> geometry(const State& state) const;
+  [[nodiscard]] std::vector<Pair> pairs(const State& state, double distance) const;
+  [[nodiscard]] std::vector<Pair> pairs(const Geometry& geometry, double distance) const;
+  [[nodiscard]] std::optional<Touch> touch(const State& state, const Pair& pair) const;
+  [[nodiscard]] std::array<Anchor, 4> anchors_of(const Pair& pair) const;
+  [[nodiscard]] bool is_own(std::size_t point, Index part) const;
+  [[nodiscard]] double weight(const Pair& pair) const;
+  void list_parts();
+  void push_groups(const std::vector<Pair>& pairs, Stencils& stencils) const;
+  [[nodiscard]] Eigen::MatrixXd pair_tangent(const State& state, const Pair& pair) const;
+  [[nodiscard]] double safe_part(const Geometry& from, const Geometry& to, std::size_t point,
+                                 double surface_way) const;
+
+  const Model& model_;
+  std::vector<ContactPoint> points_;
+  ContactSurface surface_;
+  ContactSettings settings_;
+  std::vector<Part> parts_;
+  std::vector<std::array<Index, 3>> corners_;  // of the parts
+  std::shared_ptr<const mesh::NearestTriangles>
+      rigid_;  // where the surface is a bone: in the bone's own frame
+};
+
+}  // namespace facies::mechanics
