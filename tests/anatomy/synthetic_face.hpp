@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
+#include "support/temporary_folder.hpp"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -18,28 +18,7 @@
 
 namespace facies::anatomy {
 
-/// A folder that disappears with the object.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "facies-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = pattern;
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  TemporaryFolder(TemporaryFolder&&) = delete;
-  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+using support::TemporaryFolder;
 
 /// A flat sheet of 100 mm with hexahedra and wedges. Nodes are numbered from 101, elements from 1; hexahedra are
 /// left-handed, wedges degenerate hexahedra, coordinates metres: everything as in the reference face's files.
@@ -58,6 +37,7 @@ class SyntheticFace {
     write_mesh();
     write_lists();
     write_tables();
+    write_jaw();
   }
 
   [[nodiscard]] FaceAnatomy read() const { return read_artisynth_face(models(), tables()); }
@@ -180,6 +160,40 @@ class SyntheticFace {
     write(tables() / "landmarks.csv",
           "name,node_number,meaning,in_paper,source\nA,101,a corner,1,s\nB,105,b,0,s\n");
     write(tables() / "pairs.csv", "a,b,meaning,in_paper,source\nA,B,edge,1,s\n");
+  }
+
+  /// A jaw that opens about the y axis, its joint 10 mm behind its centre, and a muscle that closes it.
+  void write_jaw() const {
+    write(geometry("jaw.obj"), "v 0 0 0\n");
+    write(tables() / "jaw-bones.csv",
+          "name,meaning,moves,mass_kg,centre_x_mm,centre_y_mm,centre_z_mm,inertia_xx_kg_mm2,"
+          "inertia_yy_kg_mm2,inertia_zz_kg_mm2,inertia_xy_kg_mm2,inertia_yz_kg_mm2,"
+          "inertia_xz_kg_mm2,translational_damping_kg_per_s,rotational_damping_kg_mm2_per_s,"
+          "source\n"
+          "skull,m,0,,,,,,,,,,,,,s\n"
+          "jaw,m,1,0.2,30,0,10,200,150,250,1,2,3,20,200,s\n");
+    write(tables() / "jaw-poses.csv",
+          "name,meaning,centre_x_mm,centre_y_mm,centre_z_mm,axis_x,axis_y,axis_z,angle_deg,source\n"
+          "start,m,30,0,10,0,1,0,0,s\n"
+          "intercuspal,m,30,0,12,0,1,0,90,s\n");
+    write(tables() / "jaw-points.csv",
+          "name,meaning,bone,x_mm,y_mm,z_mm,source\n"
+          "condyle,m,jaw,40,0,10,s\nlower,m,jaw,20,0,10,s\nupper,m,skull,20,0,14,s\n");
+    write(tables() / "jaw-guides.csv",
+          "name,point,travel_mm,descent_mm,first_slope,last_slope,source\n"
+          "joint,condyle,12,5,-0.7,-0.2,s\n");
+    write(tables() / "jaw-stops.csv",
+          "name,meaning,point,enabled,normal_x,normal_y,normal_z,offset_mm,source\n"
+          "bite,m,lower,1,0,0,-1,0.5,s\nbehind,m,condyle,0,-0.6,0,0.8,0,s\n");
+    write(tables() / "jaw-muscles.csv",
+          "name,side,muscle,origin_bone,origin_x_mm,origin_y_mm,origin_z_mm,insertion_bone,"
+          "insertion_x_mm,insertion_y_mm,insertion_z_mm,max_force_N,opt_length_mm,max_length_mm,"
+          "tendon_ratio,passive_fraction,damping_mN_s_per_mm,source\n"
+          "lm,left,masseter,skull,30,-10,50,jaw,30,-10,15,190.4,30,40,0.46,0.015,1,s\n"
+          "rm,right,masseter,skull,30,10,50,jaw,30,10,15,190.4,30,40,0.46,0.015,1,s\n");
+    write(tables() / "jaw-exciters.csv", "name,meaning,muscles,source\nclose,closers,rm lm,s\n");
+    write(tables() / "jaw-surfaces.csv",
+          "name,meaning,bone,file,scale,source\njaw,m,jaw,face/geometry/jaw.obj,1000,s\n");
   }
 
   TemporaryFolder folder_;

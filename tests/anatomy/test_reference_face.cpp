@@ -59,8 +59,11 @@ TEST_F(ReferenceFace, HasElementsAndLayersAsComputedIndependently) {
 TEST_F(ReferenceFace, HasTheKnownSizesOfSets) {
   const mesh::Mesh& mesh = face().mesh;
   const std::map<std::string, std::size_t> expected{
-      {"outer", 2180}, {"inner", 2180}, {"held_in_tension", 2244}, {"rim", 432}, {"zygomatic", 6},
-      {"nose", 120},   {"orbit", 78},   {"mandibular", 12}};
+      {"outer", 2180},       {"inner", 2180},    {"held_in_tension", 2244},
+      {"rim", 432},          {"zygomatic", 6},   {"nose", 120},
+      {"orbit", 78},         {"mandibular", 12}, {"lip_free", 595},
+      {"cheek_free", 39},    {"nose_free", 19},  {"submental_free", 211},
+      {"zygomatic_free", 34}};
   for (const auto& [name, size] : expected)
     EXPECT_EQ(mesh.nodes(name).size(), size) << name;
   EXPECT_EQ(mesh.node_sets().size(), expected.size());

@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "facies/anatomy/contact_regions.hpp"
 #include "facies/anatomy/face_tables.hpp"
+#include "facies/anatomy/jaw_tables.hpp"
 #include "facies/anatomy/reference_paths.hpp"
 #include "facies/anatomy/skin_axes.hpp"
 
@@ -78,9 +80,27 @@ Files read_files(const fs::path& folder, const FaceTables& tables, Problems& pro
   return files;
 }
 
-/// Everything that read_artisynth_face reads.
-std::vector<fs::path> files_of(const fs::path& folder, const FaceTables& tables) {
+/// The jaw of the tables with the files of its surfaces, which must be there, below `folder`.
+Jaw read_jaw(const fs::path& folder, const fs::path& tables_folder, Problems& problems) {
+  Jaw jaw = read_jaw_tables(tables_folder, problems);
+  for (BoneSurface& surface : jaw.surfaces) {
+    surface.file = folder / surface.file;
+    std::error_code ignored;
+    if (fs::is_regular_file(surface.file, ignored)) continue;
+    problems.add({surface.file.string(), "no such file",
+                  fmt::format("the surface '{}' of jaw-surfaces.csv", surface.name), ""});
+  }
+  return jaw;
+}
+
+/// Everything that the face comes from: what read_artisynth_face reads, and the surfaces of its bones.
+std::vector<fs::path> files_of(const fs::path& folder, const fs::path& tables_folder,
+                               const FaceTables& tables, const Jaw& jaw) {
   std::vector<fs::path> files = tables.files;
+  for (const fs::path& table : jaw_table_files(tables_folder))
+    files.push_back(table);
+  for (const BoneSurface& surface : jaw.surfaces)
+    files.push_back(surface.file);
   for (const char* file : {nodes_file, elements_file, directions_file, fibres_file})
     files.push_back(folder / file);
   for (const SetFile& set : tables.sets)
@@ -238,6 +258,7 @@ FaceAnatomy read_artisynth_face(const fs::path& folder, const fs::path& tables_f
   Problems problems;
   const FaceTables tables = read_face_tables(tables_folder, problems);
   const Files files = read_files(folder, tables, problems);
+  Jaw jaw = read_jaw(folder, tables_folder, problems);
 
   ReferenceMesh reference;
   FaceAnatomy face;
@@ -253,7 +274,8 @@ FaceAnatomy read_artisynth_face(const fs::path& folder, const fs::path& tables_f
 
   ReferencePaths paths = make_reference_paths(tables, files.fibres, reference);
   face.source = "artisynth:" + folder.string();
-  face.files = files_of(folder, tables);
+  face.files = files_of(folder, tables_folder, tables, jaw);
+  face.jaw = std::move(jaw);
   face.mesh = reference.mesh;
   sets.erase("between");
   for (auto& [name, nodes] : sets)
@@ -264,6 +286,7 @@ FaceAnatomy read_artisynth_face(const fs::path& folder, const fs::path& tables_f
   const std::size_t n_axes_guessed = set_skin_axes(face, files.directions);
   face.muscle_paths = std::move(paths.muscles);
   face.pairs = tables.pairs;
+  mark_contact_regions(face);
   face.is_reference_face =
       face.mesh.n_nodes() == paper_nodes && face.mesh.n_elements() == paper_elements;
   note_what_was_done(face, reference, paths, n_axes_guessed);

@@ -12,9 +12,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "facies/anatomy/jaw.hpp"
+#include "facies/anatomy/side.hpp"
 #include "facies/mesh/mesh.hpp"
 
 namespace facies::anatomy {
@@ -24,8 +27,6 @@ inline const std::vector<std::string>& layer_names() {
   static const std::vector<std::string> names = {"skin", "hypodermis_mid", "hypodermis_inner"};
   return names;
 }
-
-enum class Side { left, right, middle };
 
 /// A fibre: a polyline of points [mm] in the mesh's reference configuration, closed or open.
 struct FibrePath {
@@ -72,6 +73,7 @@ struct FaceAnatomy {
   std::vector<MusclePaths> muscle_paths;
   std::vector<Landmark> landmarks;
   std::vector<LandmarkPair> pairs;
+  std::optional<Jaw> jaw;  ///< nothing for a face without one
   std::vector<std::string>
       notes;  ///< what a reader did that a user should know ("6024 left-handed hexahedra turned")
   bool is_reference_face =

@@ -20,24 +20,6 @@ std::size_t count_of(const Table& table, std::size_t row, Problems& problems) {
   return 1;
 }
 
-bool flag_of(const Table& table, std::size_t row, const std::string& column, Problems& problems) {
-  const std::string_view text = table.text(row, column);
-  if (text != "0" && text != "1")
-    problems.add({table.where(row, column), excerpt(text), "0 or 1", ""});
-  return text == "1";
-}
-
-/// The name in `column`; a problem where it is empty or was in `names` before, to which it is added.
-std::string new_name(const Table& table, std::size_t row, const std::string& column,
-                     std::vector<std::string>& names, Problems& problems) {
-  std::string name(table.text(row, column));
-  if (name.empty() || std::ranges::find(names, name) != names.end()) {
-    problems.add({table.where(row, column), excerpt(name), "a name that no other row has", ""});
-  }
-  names.push_back(name);
-  return name;
-}
-
 void check_known(const Table& table, std::size_t row, const std::string& column,
                  const std::vector<std::string>& known, Problems& problems) {
   const std::string_view name = table.text(row, column);
@@ -53,7 +35,7 @@ std::vector<SetFile> read_sets(const fs::path& folder, Problems& problems) {
   std::vector<std::string> names;
   for (std::size_t row = 0; row < table.n_rows(); ++row) {
     SetFile set;
-    set.set = new_name(table, row, "set", names, problems);
+    set.set = table.new_name(row, "set", names, problems);
     set.path = std::string(table.text(row, "file"));
     set.count = count_of(table, row, problems);
     set.first_number = table.integer(row, "first_number", problems).value_or(1);
@@ -79,7 +61,7 @@ std::vector<MuscleRow> read_muscles(const fs::path& folder, std::vector<std::str
   std::vector<MuscleRow> muscles;
   for (std::size_t row = 0; row < table.n_rows(); ++row) {
     muscles.push_back(
-        {new_name(table, row, "name", names, problems), std::string(table.text(row, "meaning"))});
+        {table.new_name(row, "name", names, problems), std::string(table.text(row, "meaning"))});
   }
   return muscles;
 }
@@ -137,11 +119,11 @@ std::vector<LandmarkRow> read_landmarks(const fs::path& folder, std::vector<std:
   std::vector<LandmarkRow> landmarks;
   for (std::size_t row = 0; row < table.n_rows(); ++row) {
     LandmarkRow landmark;
-    landmark.name = new_name(table, row, "name", names, problems);
+    landmark.name = table.new_name(row, "name", names, problems);
     landmark.meaning = table.text(row, "meaning");
     landmark.node.value = table.integer(row, "node_number", problems).value_or(0);
     landmark.node.where = table.where(row, "node_number");
-    landmark.in_paper = flag_of(table, row, "in_paper", problems);
+    landmark.in_paper = table.flag(row, "in_paper", problems);
     landmarks.push_back(std::move(landmark));
   }
   return landmarks;

@@ -54,6 +54,30 @@ std::optional<long> Table::integer(std::size_t row, const std::string& column,
   return value;
 }
 
+std::optional<double> Table::number(std::size_t row, const std::string& column,
+                                    Problems& problems) const {
+  const std::optional<double> value = parse_number(text(row, column));
+  if (!value) problems.add({where(row, column), excerpt(text(row, column)), "a number", ""});
+  return value;
+}
+
+bool Table::flag(std::size_t row, const std::string& column, Problems& problems) const {
+  const std::string_view field = text(row, column);
+  if (field != "0" && field != "1")
+    problems.add({where(row, column), excerpt(field), "0 or 1", ""});
+  return field == "1";
+}
+
+std::string Table::new_name(std::size_t row, const std::string& column,
+                            std::vector<std::string>& names, Problems& problems) const {
+  std::string name(text(row, column));
+  if (name.empty() || std::ranges::find(names, name) != names.end()) {
+    problems.add({where(row, column), excerpt(name), "a name that no other row has", ""});
+  }
+  names.push_back(name);
+  return name;
+}
+
 std::string Table::where(std::size_t row, const std::string& column) const {
   const std::string_view field = text(row, column);
   // An empty field stands nowhere in particular.

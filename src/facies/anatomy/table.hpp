@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "facies/anatomy/text_file.hpp"
+#include "facies/base/text_file.hpp"
 
 namespace facies::anatomy {
 
@@ -24,6 +24,14 @@ class Table {
   /// The field as a whole number; adds a problem and returns nothing where it is none.
   [[nodiscard]] std::optional<long> integer(std::size_t row, const std::string& column,
                                             Problems& problems) const;
+  /// The field as a finite number; adds a problem and returns nothing where it is none.
+  [[nodiscard]] std::optional<double> number(std::size_t row, const std::string& column,
+                                             Problems& problems) const;
+  /// The field as 0 or 1; adds a problem where it is neither.
+  [[nodiscard]] bool flag(std::size_t row, const std::string& column, Problems& problems) const;
+  /// The name in `column`; a problem where it is empty or was in `names` before, to which it is added.
+  [[nodiscard]] std::string new_name(std::size_t row, const std::string& column,
+                                     std::vector<std::string>& names, Problems& problems) const;
   /// "file:line:column" of the field.
   [[nodiscard]] std::string where(std::size_t row, const std::string& column) const;
 
