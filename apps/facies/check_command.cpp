@@ -32,7 +32,7 @@ std::vector<Problem> check_face(const scenario::Scenario& scenario, int& status,
                                                  scenario::tension_scaling_factor(scenario));
     about = fmt::format("{}: {} nodes, {} elements, {} muscles", face.source, face.mesh.n_nodes(),
                         face.mesh.n_elements(), muscles.size());
-    auto problems = scenario::check_against_face(scenario, scenario::activation_names(muscles));
+    auto problems = scenario::check_against_face(scenario, scenario::names_on_face(face, muscles));
     if (status == exit_status::done && !problems.empty()) status = exit_status::scenario;
     return problems;
   } catch (const UsageError& error) {

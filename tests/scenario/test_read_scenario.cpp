@@ -96,7 +96,7 @@ TEST(ReadScenario, KnowsWhereEachEntryWasWritten) {
 
 TEST(CheckAgainstFace, PointsToEachMuscleThatTheFaceDoesNotHave) {
   const Scenario s = read("steps:\n  - express: {ZIG: 0.5, RIS_L: 0.1, OOP_L: 0.2}\n").scenario;
-  const auto problems = check_against_face(s, {"OOP", "RIS", "RIS_L", "RIS_R", "ZYG"});
+  const auto problems = check_against_face(s, {{"OOP", "RIS", "RIS_L", "RIS_R", "ZYG"}, {}});
   ASSERT_EQ(problems.size(), 2u);
   EXPECT_EQ(problems[1].where, "x.yaml:2:37");
   EXPECT_EQ(problems[1].found, "this face has no muscle 'OOP_L'");

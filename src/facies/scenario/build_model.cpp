@@ -5,7 +5,7 @@
 #include <set>
 
 #include "facies/mechanics/loads.hpp"
-#include "facies/scenario/read_scenario.hpp"
+#include "facies/mesh/surface.hpp"
 
 namespace facies::scenario {
 
@@ -69,6 +69,79 @@ std::vector<Index> unknowns_of(const mesh::Mesh& mesh, std::initializer_list<con
   return dofs;
 }
 
+/// The jaw with its joint, muscles and ligaments; while the tension is put in, or for good, it is held.
+void add_jaw(FaceModel& built, const Scenario& scenario) {
+  const anatomy::Jaw& jaw = *built.face.jaw;
+  const mesh::Mesh& mesh = built.face.mesh;
+  built.jaw_terms = add_jaw_terms(built.model, jaw, *built.jaw);
+  std::vector<mechanics::Attachment::Tie> ties;
+  for (const Index node : mesh.nodes(jaw.attached_nodes)) {
+    const Vec3& X = mesh.X()[at(node)];
+    ties.push_back({mechanics::Anchor::on_node(node, X), mechanics::Anchor::on_body(0, X)});
+  }
+  built.ligaments = &built.model.add(std::make_unique<mechanics::Attachment>(
+      built.model, std::move(ties), mechanics::joint_stiffness));
+  for (int component = 0; component < static_cast<int>(mechanics::dofs_of_body); ++component) {
+    built.held_in_tension.push_back(built.model.body_dof(0, component));
+    if (scenario.jaw == "held")
+      built.held_after_release.push_back(built.model.body_dof(0, component));
+  }
+}
+
+/// The surface around the mouth, as points and as triangles.
+void add_lip_contact(FaceModel& built, const mechanics::ContactSettings& settings) {
+  const mesh::Mesh& mesh = built.face.mesh;
+  if (!mesh.face_sets().contains("mouth")) return;
+  const std::span<const mesh::Face> faces = mesh.faces("mouth");
+  const std::vector<Index> nodes = mesh::face_set_nodes(mesh, faces);
+  std::map<Index, double> area;
+  for (const mesh::Face& face : faces) {
+    const std::array<mesh::Face, 1> alone = {face};
+    const std::vector<Index> corners = mesh::face_set_nodes(mesh, alone);
+    for (const Index node : corners)
+      area[node] += mesh::face_area(mesh, face, mesh.X()) / static_cast<double>(corners.size());
+  }
+  std::vector<mechanics::ContactPoint> points;
+  mechanics::ContactSurface surface{"lips", {}, {}};
+  for (const Index node : nodes) {
+    const mechanics::Anchor anchor = mechanics::Anchor::on_node(node, mesh.X()[at(node)]);
+    points.push_back({anchor, area.at(node)});
+    surface.vertices.push_back(anchor);
+  }
+  for (const std::array<Index, 3>& triangle : mesh::triangulate(mesh, faces).triangles) {
+    std::array<Index, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto found = std::lower_bound(nodes.begin(), nodes.end(), triangle[k]);
+      corners[k] = static_cast<Index>(found - nodes.begin());
+    }
+    surface.triangles.push_back(corners);
+  }
+  built.contacts.push_back(&built.model.add(std::make_unique<mechanics::Contact>(
+      built.model, std::move(points), std::move(surface), settings)));
+}
+
+/// Contact of everything that the scenario asks for, and an initial state without overlaps.
+void add_contacts(FaceModel& built, const ContactChoice& choice) {
+  const mechanics::ContactSettings settings{.d_hat = choice.distance,
+                                            .stiffness = choice.stiffness};
+  if (choice.bones || choice.skull != "none") {
+    std::set<Index> left_out;
+    for (const Index dof : built.held_after_release)
+      left_out.insert(dof / 3);
+    const std::span<const Index> tied = built.face.mesh.nodes("mandibular");
+    left_out.insert(tied.begin(), tied.end());
+    const std::vector<mechanics::ContactPoint> points = inner_points(built.face, left_out);
+    std::vector<BoneObstacle> obstacles =
+        bone_obstacles(built.face, built.jaw ? &*built.jaw : nullptr, choice);
+    built.initial.u = resolve_overlaps(built.face, points, obstacles, choice.distance);
+    for (BoneObstacle& obstacle : obstacles) {
+      built.contacts.push_back(&built.model.add(std::make_unique<mechanics::Contact>(
+          built.model, points, std::move(obstacle.surface), settings)));
+    }
+  }
+  if (choice.lips) add_lip_contact(built, settings);
+}
+
 void check_supports(const FaceModel& model) {
   if (!model.held_after_release.empty()) return;
   throw DataError({{model.face.source, "no node is fixed",
@@ -85,23 +158,27 @@ double tension_scaling_factor(const Scenario& scenario) {
   return 1.0;
 }
 
-std::vector<std::string> activation_names(const std::vector<anatomy::Muscle>& muscles) {
+NamesOnFace names_on_face(const anatomy::FaceAnatomy& face,
+                          const std::vector<anatomy::Muscle>& muscles) {
   std::set<std::string> names;
   for (const anatomy::Muscle& muscle : muscles) {
     names.insert(muscle.name);
     names.insert(muscle.group);
   }
-  return {names.begin(), names.end()};
+  return {{names.begin(), names.end()},
+          face.jaw ? excitation_names(*face.jaw) : std::vector<std::string>{}};
 }
 
 std::unique_ptr<FaceModel> build_model(anatomy::FaceAnatomy face, const Scenario& scenario,
                                        int threads) {
   const double tsf = tension_scaling_factor(scenario);
-  auto built = std::make_unique<FaceModel>(std::move(face));
+  std::optional<SettledJaw> settled;
+  if (face.jaw) settled = settle_jaw(*face.jaw, scenario.gravity.vector());
+  auto built = std::make_unique<FaceModel>(std::move(face), std::move(settled));
   const mesh::Mesh& mesh = built->face.mesh;
   built->muscles = anatomy::select_muscles(built->face, scenario.muscle.radius, tsf);
   const std::vector<Problem> unknown =
-      check_against_face(scenario, activation_names(built->muscles));
+      check_against_face(scenario, names_on_face(built->face, built->muscles));
   if (!unknown.empty()) throw ScenarioError(unknown);
 
   mechanics::SolidDescription description;
@@ -109,16 +186,23 @@ std::unique_ptr<FaceModel> build_model(anatomy::FaceAnatomy face, const Scenario
   assign_fibres(built->muscles, scenario.muscle, description);
   description.F0.assign(mesh.n_elements(), tsf * Mat3::Identity());
   const std::vector<double> density(mesh.n_elements(), scenario.density);
-  built->model.add(
-      std::make_unique<mechanics::Gravity>(mechanics::lumped_mass(mesh, density, description.F0)));
+  built->model.add(std::make_unique<mechanics::Gravity>(
+      mechanics::lumped_mass(mesh, density, description.F0), built->model.bodies()));
   built->model.add(std::make_unique<mechanics::NodalForces>());
   built->solid =
       &built->model.add(std::make_unique<mechanics::Solid>(mesh, std::move(description), threads));
 
   built->held_in_tension = unknowns_of(mesh, {"held_in_tension"});
-  built->held_after_release =
-      unknowns_of(mesh, {"rim", "zygomatic", "nose", "orbit", "mandibular"});
+  built->held_after_release = unknowns_of(mesh, {"rim", "zygomatic", "nose", "orbit"});
+  if (built->jaw) {
+    add_jaw(*built, scenario);
+  } else {
+    built->held_after_release =
+        unknowns_of(mesh, {"rim", "zygomatic", "nose", "orbit", "mandibular"});
+  }
   check_supports(*built);
+  built->initial = built->model.initial_state();
+  add_contacts(*built, scenario.contact);
   return built;
 }
 

@@ -3,24 +3,34 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "facies/anatomy/face_anatomy.hpp"
 #include "facies/mechanics/model.hpp"
 #include "facies/mechanics/solid.hpp"
-#include "facies/scenario/scenario.hpp"
+#include "facies/scenario/contact_model.hpp"
+#include "facies/scenario/read_scenario.hpp"
 
 namespace facies::scenario {
 
-/// A face ready to be driven. Not movable: the model refers to the mesh.
+/// A face ready to be driven. Not movable: the model refers to the mesh, its terms to the model.
 struct FaceModel {
-  explicit FaceModel(anatomy::FaceAnatomy anatomy)
-      : face(std::move(anatomy)), model(face.mesh.n_nodes()) {}
+  FaceModel(anatomy::FaceAnatomy anatomy, std::optional<SettledJaw> settled)
+      : face(std::move(anatomy)),
+        jaw(std::move(settled)),
+        model(face.mesh.n_nodes(),
+              jaw ? std::vector{jaw->body} : std::vector<mechanics::RigidBody>{}) {}
 
   anatomy::FaceAnatomy face;
+  std::optional<SettledJaw> jaw;         ///< body 0 of the model
   std::vector<anatomy::Muscle> muscles;  ///< in the order of Controls::activation
   mechanics::Model model;
-  const mechanics::Solid* solid = nullptr;  ///< of the model
+  mechanics::State initial;                 ///< where the run begins: nothing overlaps
+  const mechanics::Solid* solid = nullptr;  ///< of the model, as all that follow
+  JawTerms jaw_terms;
+  const mechanics::Attachment* ligaments = nullptr;
+  std::vector<const mechanics::Contact*> contacts;
   std::vector<Index> held_in_tension;     ///< unknowns held while the tension is put in, ascending
   std::vector<Index> held_after_release;  ///< unknowns held from the release on, ascending
 };
@@ -32,9 +42,9 @@ struct FaceModel {
 [[nodiscard]] std::unique_ptr<FaceModel> build_model(anatomy::FaceAnatomy face,
                                                      const Scenario& scenario, int threads);
 
-/// Names that an express step may use for these muscles: groups and sides, each once, sorted.
-[[nodiscard]] std::vector<std::string> activation_names(
-    const std::vector<anatomy::Muscle>& muscles);
+/// Names that steps may use on this face: of its muscles groups and sides, each once, sorted; of its jaw everything.
+[[nodiscard]] NamesOnFace names_on_face(const anatomy::FaceAnatomy& face,
+                                        const std::vector<anatomy::Muscle>& muscles);
 
 /// The tension scaling factor of the scenario; 1 where it has no tension step.
 [[nodiscard]] double tension_scaling_factor(const Scenario& scenario);

@@ -182,19 +182,24 @@ Scenario read_scenario(const std::filesystem::path& path, const std::vector<Over
   return std::move(reading.scenario);
 }
 
-std::vector<Problem> check_against_face(const Scenario& scenario,
-                                        const std::vector<std::string>& muscle_names) {
+std::vector<Problem> check_against_face(const Scenario& scenario, const NamesOnFace& names) {
   std::vector<Problem> problems;
-  for (std::size_t i = 0; i < scenario.steps.size(); ++i) {
-    const auto* express = std::get_if<ExpressStep>(&scenario.steps[i]);
-    if (express == nullptr) continue;
-    for (const auto& [name, alpha] : express->activations) {
-      if (std::find(muscle_names.begin(), muscle_names.end(), name) != muscle_names.end()) continue;
-      problems.push_back({where_of(scenario, fmt::format("steps.{}.express.{}", i + 1, name)),
-                          fmt::format("this face has no muscle '{}'", name), "",
-                          did_you_mean(name, muscle_names) +
-                              "\n    --face chooses another face (`facies list faces`)"});
+  const auto check = [&](std::size_t step, const std::map<std::string, double>& levels,
+                         const std::vector<std::string>& known, const std::string& kind) {
+    for (const auto& [name, level] : levels) {
+      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+      problems.push_back(
+          {where_of(scenario,
+                    fmt::format("steps.{}.{}.{}", step + 1, step_name(scenario.steps[step]), name)),
+           fmt::format("this face has no {} '{}'", kind, name), "",
+           did_you_mean(name, known) + "\n    --face chooses another face (`facies list faces`)"});
     }
+  };
+  for (std::size_t i = 0; i < scenario.steps.size(); ++i) {
+    if (const auto* express = std::get_if<ExpressStep>(&scenario.steps[i]))
+      check(i, express->activations, names.muscles, "muscle");
+    if (const auto* open = std::get_if<OpenJawStep>(&scenario.steps[i]))
+      check(i, open->excitations, names.jaw, "muscle of the jaw");
   }
   return in_order(std::move(problems));
 }

@@ -29,9 +29,14 @@ struct Reading {
 [[nodiscard]] Scenario read_scenario(const std::filesystem::path& path,
                                      const std::vector<Override>& changes = {});
 
-/// Muscles of express steps that are not among `muscle_names` (groups and sides of the face), each with where it was
-/// written.
+/// What steps may name on a face.
+struct NamesOnFace {
+  std::vector<std::string> muscles;  ///< of expression: groups and sides
+  std::vector<std::string> jaw;      ///< exciters and muscles of the jaw
+};
+
+/// Names in steps that the face does not have, each with where it was written.
 [[nodiscard]] std::vector<Problem> check_against_face(const Scenario& scenario,
-                                                      const std::vector<std::string>& muscle_names);
+                                                      const NamesOnFace& names);
 
 }  // namespace facies::scenario

@@ -56,18 +56,26 @@ struct StepReader {
   }
 
   [[nodiscard]] Step express() const {
-    ExpressStep step;
+    return ExpressStep{levels("an express step", "activations such as {ZYG: 0.5}")};
+  }
+
+  [[nodiscard]] Step open_jaw() const {
+    return OpenJawStep{levels("an open_jaw step", "excitations such as {bi_open: 1}")};
+  }
+
+  /// What each muscle named is driven to.
+  [[nodiscard]] std::map<std::string, double> levels(const std::string& kind,
+                                                     const std::string& wanted) const {
+    std::map<std::string, double> levels;
     if (content.entries.empty()) {
-      problems.add({content.where, "an express step without muscles",
-                    "activations such as {ZYG: 0.5}",
+      problems.add({content.where, fmt::format("{} without muscles", kind), wanted,
                     "to relax a muscle, give it the activation 0"});
     }
     for (const YamlEntry& entry : content.entries) {
       remember(entry);
-      const auto alpha = read_number(entry.value, activation_rule(), problems);
-      step.activations[entry.key] = alpha.value_or(0.0);
+      levels[entry.key] = read_number(entry.value, activation_rule(), problems).value_or(0.0);
     }
-    return step;
+    return levels;
   }
 };
 
@@ -102,6 +110,7 @@ void read_step(const YamlNode& node, std::size_t number, Scenario& scenario, Pro
   if (entry.key == "tension") scenario.steps.push_back(reader.tension());
   if (entry.key == "release") scenario.steps.push_back(reader.release());
   if (entry.key == "express") scenario.steps.push_back(reader.express());
+  if (entry.key == "open_jaw") scenario.steps.push_back(reader.open_jaw());
 }
 
 /// The tension sets the stress-free size of the whole run, so nothing can come before it.
@@ -136,7 +145,7 @@ void read_steps(const YamlNode& node, Scenario& scenario, Problems& problems) {
   if (node.kind != YamlNode::Kind::sequence || node.items.empty()) {
     const bool empty = node.kind == YamlNode::Kind::sequence;
     problems.add({node.where, empty ? "no steps" : describe(node),
-                  "a list of steps, each of them one of: tension, release, express", ""});
+                  "a list of steps, each of them one of: tension, release, express, open_jaw", ""});
     return;
   }
   for (std::size_t i = 0; i < node.items.size(); ++i) {

@@ -21,9 +21,12 @@ int choose_threads(const Scenario& scenario, const RunOptions& options) {
 
 /// The state that expressions are measured from: after a release, or whatever comes right before the first expression.
 bool is_rest(const Scenario& scenario, std::size_t step) {
-  if (std::holds_alternative<ExpressStep>(scenario.steps[step])) return false;
+  const auto expresses = [](const Step& kind) {
+    return std::holds_alternative<ExpressStep>(kind) || std::holds_alternative<OpenJawStep>(kind);
+  };
+  if (expresses(scenario.steps[step])) return false;
   const bool last = step + 1 == scenario.steps.size();
-  return last || std::holds_alternative<ExpressStep>(scenario.steps[step + 1]);
+  return last || expresses(scenario.steps[step + 1]);
 }
 
 /// Of the elements around a node, the one that changed its volume the most.

@@ -8,6 +8,7 @@ std::string step_name(const Step& step) {
     std::string operator()(const TensionStep&) const { return "tension"; }
     std::string operator()(const ReleaseStep&) const { return "release"; }
     std::string operator()(const ExpressStep&) const { return "express"; }
+    std::string operator()(const OpenJawStep&) const { return "open_jaw"; }
   };
   return std::visit(Name{}, step);
 }

@@ -49,6 +49,18 @@ struct Gravity {
   friend bool operator==(const Gravity&, const Gravity&) = default;
 };
 
+/// What tissue may not pass.
+struct ContactChoice {
+  bool bones = false;  ///< mandible and maxilla, where the face has them
+  std::string skull =
+      "none";                ///< what stands for bone that is not given: "inner_surface" or "none"
+  bool lips = false;         ///< the surface around the mouth against itself
+  double distance = 0.5;     ///< from which on a surface is felt [mm]
+  double stiffness = 100.0;  ///< of the barrier [kPa/mm]
+
+  friend bool operator==(const ContactChoice&, const ContactChoice&) = default;
+};
+
 /// Stress-free tissue is the face divided by `tsf`; the held nodes are taken to their places in the face
 /// (paper, "Imposition of an in vivo skin tension"). Always the first step.
 struct TensionStep {
@@ -70,9 +82,16 @@ struct ExpressStep {
   friend bool operator==(const ExpressStep&, const ExpressStep&) = default;
 };
 
-using Step = std::variant<TensionStep, ReleaseStep, ExpressStep>;
+/// Muscles of the jaw go from where they are to these excitations; the others stay as they are.
+struct OpenJawStep {
+  std::map<std::string, double> excitations;  ///< by exciter ("bi_open") or muscle ("lad"), 0..1
 
-/// "tension", "release" or "express".
+  friend bool operator==(const OpenJawStep&, const OpenJawStep&) = default;
+};
+
+using Step = std::variant<TensionStep, ReleaseStep, ExpressStep, OpenJawStep>;
+
+/// "tension", "release", "express" or "open_jaw".
 [[nodiscard]] std::string step_name(const Step& step);
 
 /// The activation that `step` gives to a muscle: its own entry, else that of its group, else zero.
@@ -106,6 +125,8 @@ struct Scenario {
   MuscleChoice muscle;
   double density = 1040e-9;  ///< of all tissue [kg/mm^3]
   Gravity gravity;
+  ContactChoice contact;
+  std::string jaw = "held";  ///< where it stands at rest, or "free"
   std::vector<Step> steps;
   SolverChoice solver;
   OutputChoice output;

@@ -90,6 +90,43 @@ std::vector<Field> general_fields() {
   };
 }
 
+std::vector<Field> contact_fields() {
+  return {
+      {"jaw",
+       {.doc = "`free`: the mandible moves on its joints, pulled by its muscles, its weight and "
+               "the tissue. `held`: it stays "
+               "where it stands at rest. Means nothing for a face without a jaw.",
+        .choices = {"free", "held"}},
+       [](Scenario& s) { return &s.jaw; }},
+      {"contact.bones",
+       {.doc = "The inner surface does not pass mandible and maxilla, where the face has them."},
+       [](Scenario& s) { return &s.contact.bones; }},
+      {"contact.skull",
+       {.doc = "What stands for bone whose surface is not given (forehead, orbit, nose, zygoma): "
+               "the inner surface in its "
+               "place in the face, from which tissue can slide and lift off but not sink in; or "
+               "nothing.",
+        .choices = {"inner_surface", "none"}},
+       [](Scenario& s) { return &s.contact.skull; }},
+      {"contact.lips",
+       {.doc = "The surface around the mouth does not pass through itself: lip against lip, folds "
+               "at the corners."},
+       [](Scenario& s) { return &s.contact.lips; }},
+      {"contact.distance",
+       {.doc = "Surfaces feel each other from this distance on; they never touch.",
+        .unit = "mm",
+        .minimum = 0.001,
+        .maximum = 5.0},
+       [](Scenario& s) { return &s.contact.distance; }},
+      {"contact.stiffness",
+       {.doc = "Stiffness of the barrier between surfaces: pressure by distance.",
+        .unit = "kPa/mm",
+        .minimum = 0.1,
+        .maximum = 1e6},
+       [](Scenario& s) { return &s.contact.stiffness; }},
+  };
+}
+
 std::vector<Field> material_fields() {
   const std::vector<std::string> laws = names_of(material::laws());
   const std::vector<std::string> fibre_laws = names_of(material::fibre_laws());
@@ -159,7 +196,7 @@ std::vector<Field> run_fields() {
 
 std::vector<Field> all_fields() {
   std::vector<Field> all = general_fields();
-  for (auto* more : {material_fields, run_fields}) {
+  for (auto* more : {contact_fields, material_fields, run_fields}) {
     for (Field& field : more())
       all.push_back(std::move(field));
   }
@@ -176,6 +213,7 @@ std::span<const Field> fields() {
 std::span<const Section> sections() {
   static const std::vector<Section> all = {
       {"gravity", "Weight of the tissue."},
+      {"contact", "What tissue may not pass."},
       {"skin", "The outer layer: epidermis and dermis."},
       {"hypodermis", "The layers below the skin."},
       {"muscle", "What fibres add to the tissue that they run through."},
@@ -209,6 +247,12 @@ std::span<const StepKind> step_kinds() {
        "Takes the muscles from where they are to these activations, by muscle (`ZYG`: both sides) "
        "or by side (`ZYG_L`, `ZYG_R`; goes before `ZYG`). A muscle that is not named goes to zero.",
        "express: {ZYG: 0.5, RIS: 0.6}"},
+      {"open_jaw",
+       "Takes muscles of the jaw from where they are to these excitations, by exciter (`bi_open`) "
+       "or muscle "
+       "(`lad`; goes before exciters); the others, and the muscles of expression, stay as they "
+       "are.",
+       "open_jaw: {bi_open: 1}"},
   };
   return all;
 }

@@ -16,8 +16,9 @@ solve::StepSettings step_settings(const SolverChoice& choice) {
 }
 
 Stepper::Stepper(const FaceModel& model, const Scenario& scenario)
-    : model_(model), scenario_(scenario), state_(model.model.initial_state()) {
+    : model_(model), scenario_(scenario), state_(model.initial) {
   controls_.activation.assign(model.muscles.size(), 0.0);
+  controls_.body_gravity = scenario.gravity.vector();
 }
 
 /// From now on these unknowns stay where they are.
@@ -31,7 +32,7 @@ solve::StepReport Stepper::drive(const mechanics::Controls& from, const mechanic
   std::vector<double> places;
   places.reserve(equilibrium_->prescribed().size());
   for (const Index dof : equilibrium_->prescribed())
-    places.push_back(state_.u[at(dof / 3)](dof % 3));
+    places.push_back(model_.model.value_of(state_, dof));
   solve::StepReport report = solve::advance(*equilibrium_, state_, from, to, places,
                                             step_settings(scenario_.solver), label, observer);
   controls_ = mechanics::interpolate(from, to, report.reached);
@@ -87,6 +88,16 @@ solve::StepReport Stepper::express(const ExpressStep& step, const solve::Increme
   return drive(controls_, to, label, observer);
 }
 
+solve::StepReport Stepper::open_jaw(const OpenJawStep& step, const solve::Increment& label,
+                                    solve::Observer& observer) {
+  if (!equilibrium_) hold(model_.held_after_release);
+  mechanics::Controls to = controls_;
+  to.gravity = scenario_.gravity.vector();
+  require(model_.face.jaw.has_value(), "names on the face have been checked");
+  to.excitation = excite(*model_.face.jaw, step.excitations, controls_.excitation);
+  return drive(controls_, to, label, observer);
+}
+
 solve::StepReport Stepper::take(int number, solve::Observer& observer) {
   const Step& step = scenario_.steps.at(static_cast<std::size_t>(number - 1));
   solve::Increment label;
@@ -95,6 +106,8 @@ solve::StepReport Stepper::take(int number, solve::Observer& observer) {
   label.n_steps = static_cast<int>(scenario_.steps.size());
   if (std::holds_alternative<TensionStep>(step)) return tension(label, observer);
   if (std::holds_alternative<ReleaseStep>(step)) return release(label, observer);
+  if (std::holds_alternative<OpenJawStep>(step))
+    return open_jaw(std::get<OpenJawStep>(step), label, observer);
   return express(std::get<ExpressStep>(step), label, observer);
 }
 

@@ -30,6 +30,8 @@ class Stepper {
   [[nodiscard]] solve::StepReport release(const solve::Increment& label, solve::Observer& observer);
   [[nodiscard]] solve::StepReport express(const ExpressStep& step, const solve::Increment& label,
                                           solve::Observer& observer);
+  [[nodiscard]] solve::StepReport open_jaw(const OpenJawStep& step, const solve::Increment& label,
+                                           solve::Observer& observer);
   [[nodiscard]] solve::StepReport drive(const mechanics::Controls& from,
                                         const mechanics::Controls& to,
                                         const solve::Increment& label, solve::Observer& observer);

@@ -95,12 +95,20 @@ struct StepText {
   }
   std::string operator()(const ReleaseStep&) const { return "release: {}"; }
   std::string operator()(const ExpressStep& step) const {
+    return "express: " + levels(step.activations);
+  }
+  std::string operator()(const OpenJawStep& step) const {
+    return "open_jaw: " + levels(step.excitations);
+  }
+
+ private:
+  static std::string levels(const std::map<std::string, double>& of) {
     std::string inside;
-    for (const auto& [name, alpha] : step.activations) {
+    for (const auto& [name, alpha] : of) {
       if (!inside.empty()) inside += ", ";
       inside += fmt::format("{}: {}", text_value(name), number_text(alpha));
     }
-    return "express: {" + inside + "}";
+    return "{" + inside + "}";
   }
 };
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the surfaces of a face and its bones to contact terms, and to a start in which nothing overlaps.
+#pragma once
+
+#include <set>
+
+#include "facies/mechanics/contact.hpp"
+#include "facies/scenario/jaw_model.hpp"
+#include "facies/scenario/scenario.hpp"
+
+namespace facies::anatomy {
+struct FaceAnatomy;
+}
+
+namespace facies::scenario {
+
+/// A surface of bone in a model.
+struct BoneObstacle {
+  mechanics::ContactSurface surface;
+  /// Inner nodes of the tissue begin on the side that the triangles look to, and are put there where they do not.
+  bool pushes_out = true;
+};
+
+/// The bones that tissue may meet: those of the jaw's surfaces "jaw" and "maxilla", and where the face says that its inner
+/// surface lies on bone which is not given (face set "on_bone"), that surface itself, `distance` below it. Throws DataError
+/// for surfaces that cannot be used: open or inside out where they must be closed, far from the face.
+[[nodiscard]] std::vector<BoneObstacle> bone_obstacles(const anatomy::FaceAnatomy& face,
+                                                       const SettledJaw* settled,
+                                                       const ContactChoice& choice);
+
+/// The inner surface's nodes but those in `left_out`, each with its share of the surface's area.
+[[nodiscard]] std::vector<mechanics::ContactPoint> inner_points(const anatomy::FaceAnatomy& face,
+                                                                const std::set<Index>& left_out);
+
+/// How far each node has to go so that no contact point begins inside a bone or nearer to one than `distance` [n_nodes] [mm].
+[[nodiscard]] std::vector<Vec3> resolve_overlaps(const anatomy::FaceAnatomy& face,
+                                                 const std::vector<mechanics::ContactPoint>& points,
+                                                 const std::vector<BoneObstacle>& obstacles,
+                                                 double distance);
+
+}  // namespace facies::scenario

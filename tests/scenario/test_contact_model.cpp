@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Steps that open the jaw, who is excited by them, and a start in which nothing overlaps.
+#include <algorithm>
+#include <gmock/gmock.h>
+
+#include <gtest/gtest.h>
+
+#include "facies/anatomy/sources.hpp"
+#include "facies/mesh/nearest.hpp"
+#include "facies/mesh/surface.hpp"
+#include "facies/scenario/contact_model.hpp"
+#include "facies/scenario/folders.hpp"
+#include "facies/scenario/read_scenario.hpp"
+
+namespace facies::scenario {
+namespace {
+
+anatomy::Jaw three_muscles() {
+  anatomy::Jaw jaw;
+  for (const char* name : {"lad", "rad", "lip"}) {
+    anatomy::JawMuscle muscle;
+    muscle.name = name;
+    jaw.muscles.push_back(muscle);
+  }
+  jaw.exciters = {{"bi_ad", "both", {0, 1}}, {"open", "all", {0, 1, 2}}};
+  return jaw;
+}
+
+TEST(Excite, ReachesTheMusclesOfAnExciter) {
+  EXPECT_THAT(excite(three_muscles(), {{"bi_ad", 0.5}}, {}), testing::ElementsAre(0.5, 0.5, 0.0));
+}
+
+TEST(Excite, LeavesMusclesThatAreNotNamedAsTheyAre) {
+  EXPECT_THAT(excite(three_muscles(), {{"lad", 0.0}}, {0.3, 0.4, 0.5}),
+              testing::ElementsAre(0.0, 0.4, 0.5));
+}
+
+TEST(Excite, TakesTheMusclesOwnEntryThenTheLargestExciter) {
+  EXPECT_THAT(excite(three_muscles(), {{"bi_ad", 0.2}, {"open", 0.6}, {"rad", 0.1}}, {}),
+              testing::ElementsAre(0.6, 0.1, 0.6));
+}
+
+TEST(OpenJaw, IsReadAsAStepWithExcitations) {
+  const Reading reading =
+      read_text("steps:\n  - open_jaw: {bi_open: 1, lad: 0.5}\n", "x.yaml", "x", {});
+  ASSERT_TRUE(reading.problems.empty());
+  const auto& step = std::get<OpenJawStep>(reading.scenario.steps.at(0));
+  EXPECT_EQ(step.excitations, (std::map<std::string, double>{{"bi_open", 1.0}, {"lad", 0.5}}));
+}
+
+TEST(OpenJaw, IsRefusedOnAFaceWithoutThatMuscle) {
+  const Reading reading = read_text("steps:\n  - open_jaw: {bi_opn: 1}\n", "x.yaml", "x", {});
+  const std::vector<Problem> problems =
+      check_against_face(reading.scenario, {{"ZYG"}, {"bi_open", "lad"}});
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].where, "x.yaml:2:16");
+  EXPECT_THAT(problems[0].hint, testing::HasSubstr("did you mean 'bi_open'?"));
+}
+
+/// A patch of skin whose inner side partly lies in a box of bone.
+class PatchOnABox : public ::testing::Test {
+ protected:
+  PatchOnABox() {
+    const std::span<const Index> nodes = face_.mesh.nodes("inner");
+    Vec3 centre = Vec3::Zero();
+    for (const Index node : nodes)
+      centre += face_.mesh.X()[at(node)] / static_cast<double>(nodes.size());
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 way((corner & 1) != 0 ? 4.0 : -0.6, (corner & 2) != 0 ? 5.0 : -5.0,
+                     (corner & 4) != 0 ? 5.0 : -5.0);
+      box_.surface.vertices.push_back(mechanics::Anchor::in_space(centre + way));
+      corners_.push_back(centre + way);
+    }
+    box_.surface.triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
+                              {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
+  }
+
+  anatomy::FaceAnatomy face_ = anatomy::load_face("patch", data_folder());
+  BoneObstacle box_;
+  std::vector<Vec3> corners_;
+};
+
+TEST_F(PatchOnABox, HasContactPointsThatShareTheAreaOfTheInnerSurface) {
+  double area = 0.0;
+  for (const mechanics::ContactPoint& point : inner_points(face_, {}))
+    area += point.area;
+  double expected = 0.0;
+  for (const mesh::Face& inner : face_.mesh.faces("inner"))
+    expected += mesh::face_area(face_.mesh, inner, face_.mesh.X());
+  EXPECT_NEAR(area, expected, 1e-9 * expected);
+}
+
+TEST_F(PatchOnABox, BeginsOutsideOfTheBoneAndNotNearerThanAsked) {
+  const mesh::NearestTriangles nearest(corners_, box_.surface.triangles);
+  const std::vector<mechanics::ContactPoint> points = inner_points(face_, {});
+  const auto n_too_near = [&](const std::vector<Vec3>& u) {
+    return std::count_if(points.begin(), points.end(), [&](const mechanics::ContactPoint& point) {
+      return nearest.nearest(point.anchor.X + u[at(point.anchor.index)]).signed_distance() < 0.3;
+    });
+  };
+  const std::vector<Vec3> nowhere(face_.mesh.n_nodes(), Vec3::Zero());
+  ASSERT_GT(n_too_near(nowhere), 0) << "the case does not test what it should";
+  const std::vector<Vec3> u = resolve_overlaps(face_, points, {box_}, 0.3);
+  EXPECT_EQ(n_too_near(u), 0);
+  for (const mechanics::ContactPoint& point : points) {
+    if (nearest.nearest(point.anchor.X).signed_distance() > 0.31) {
+      EXPECT_EQ(u[at(point.anchor.index)], Vec3::Zero());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace facies::scenario
