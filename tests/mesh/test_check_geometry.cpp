@@ -66,7 +66,7 @@ TEST(CheckGeometry, CountsWhatIsTooMuchToList) {
     X.y() = -X.y();
   const auto problems = check_geometry(with_positions(sheet, mirrored));
   ASSERT_EQ(problems.size(), 22U);
-  EXPECT_EQ(problems[20].found, "172 more inverted or flat elements");
+  EXPECT_EQ(problems[20].found, "192 inverted or flat elements in all");
   EXPECT_THAT(problems[21].hint, HasSubstr("left-handed"));
 }
 

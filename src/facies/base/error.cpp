@@ -30,4 +30,18 @@ void require(bool condition, const char* message) {
   if (!condition) throw BugError(message);
 }
 
+void ProblemsOfOneKind::add(Problem problem) {
+  if (count_ < max_listed_) list_.push_back(std::move(problem));
+  ++count_;
+}
+
+void ProblemsOfOneKind::move_to(Problems& all) {
+  all.add(list_);
+  if (count_ > max_listed_) {
+    all.add({where_, std::to_string(count_) + " " + kind_ + " in all", "", ""});
+  }
+  list_.clear();
+  count_ = 0;
+}
+
 }  // namespace facies

@@ -89,4 +89,25 @@ class Problems {
   std::vector<Problem> list_;
 };
 
+/// Problems of one kind in one place, so that a spoiled file does not flood: the first ones as they are, the rest as a
+/// count.
+class ProblemsOfOneKind {
+ public:
+  /// `where` and `kind` ("unreadable lines") are for the count.
+  ProblemsOfOneKind(std::string where, std::string kind, std::size_t max_listed = 10)
+      : where_(std::move(where)), kind_(std::move(kind)), max_listed_(max_listed) {}
+
+  void add(Problem problem);
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+  [[nodiscard]] std::size_t count() const { return count_; }
+  void move_to(Problems& all);
+
+ private:
+  std::string where_;
+  std::string kind_;
+  std::size_t max_listed_;
+  std::vector<Problem> list_;
+  std::size_t count_ = 0;
+};
+
 }  // namespace facies

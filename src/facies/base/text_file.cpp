@@ -11,7 +11,6 @@
 namespace facies {
 namespace {
 
-constexpr std::size_t max_listed = 10;
 constexpr std::size_t max_excerpt = 40;
 constexpr std::uintmax_t max_bytes = std::uintmax_t{64} << 20U;
 
@@ -54,20 +53,6 @@ std::string read_checked(const std::filesystem::path& path, Problems& problems) 
 }
 
 }  // namespace
-
-void ProblemsOfOneKind::add(Problem problem) {
-  if (count_ < max_listed) list_.push_back(std::move(problem));
-  ++count_;
-}
-
-void ProblemsOfOneKind::move_to(Problems& all) {
-  all.add(list_);
-  if (count_ > max_listed) {
-    all.add({where_, fmt::format("{} {} in all", count_, kind_), "", ""});
-  }
-  list_.clear();
-  count_ = 0;
-}
 
 std::string excerpt(std::string_view text) {
   std::string shown(text.substr(0, max_excerpt));

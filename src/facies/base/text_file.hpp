@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A text file that somebody else wrote, cut into lines that know where they stand; and problems that do not flood.
+// A text file that somebody else wrote, cut into lines that know where they stand.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,6 @@
 #include "facies/base/error.hpp"
 
 namespace facies {
-
-/// Problems of one kind in one place: the first ten as they are, the rest as a count.
-class ProblemsOfOneKind {
- public:
-  /// `where` and `kind` ("unreadable lines") are for the count.
-  ProblemsOfOneKind(std::string where, std::string kind)
-      : where_(std::move(where)), kind_(std::move(kind)) {}
-
-  void add(Problem problem);
-  [[nodiscard]] bool empty() const { return count_ == 0; }
-  void move_to(Problems& all);
-
- private:
-  std::string where_;
-  std::string kind_;
-  std::vector<Problem> list_;
-  std::size_t count_ = 0;
-};
 
 /// The beginning of `text` in quotes, with everything that is not printable replaced by '?'.
 [[nodiscard]] std::string excerpt(std::string_view text);

@@ -16,32 +16,6 @@ constexpr std::size_t max_listed = 20;
 /// Scaled Jacobian below which an element is flat for all practical purposes.
 constexpr double flat = 1e-9;
 
-/// Problems of one kind: the first ones as they are, then how many more there are.
-class ProblemsOfOneKind {
- public:
-  explicit ProblemsOfOneKind(std::string kind) : kind_(std::move(kind)) {}
-
-  void add(Problem problem) {
-    if (count_ < max_listed) list_.push_back(std::move(problem));
-    ++count_;
-  }
-
-  void move_to(std::vector<Problem>& all) {
-    for (Problem& problem : list_)
-      all.push_back(std::move(problem));
-    if (count_ > max_listed) {
-      all.push_back({"mesh", fmt::format("{} more {}", count_ - max_listed, kind_), "", ""});
-    }
-  }
-
-  [[nodiscard]] std::size_t count() const { return count_; }
-
- private:
-  std::string kind_;
-  std::vector<Problem> list_;
-  std::size_t count_ = 0;
-};
-
 std::string node_name(const SourceNames& names, std::size_t n) {
   return names.node ? names.node(to_index(n)) : fmt::format("mesh node {}", n);
 }
@@ -55,14 +29,14 @@ bool is_finite(const Mesh& mesh, const Element& element) {
                              [&](Index node) { return mesh.X()[at(node)].allFinite(); });
 }
 
-void check_nodes(const Mesh& mesh, const SourceNames& names, std::vector<Problem>& all) {
+void check_nodes(const Mesh& mesh, const SourceNames& names, Problems& all) {
   std::vector<bool> used(mesh.n_nodes(), false);
   for (const Element& element : mesh.elements()) {
     for (const Index node : element.connectivity())
       used[at(node)] = true;
   }
-  ProblemsOfOneKind infinite("nodes without finite coordinates");
-  ProblemsOfOneKind unused("nodes without an element");
+  ProblemsOfOneKind infinite("mesh", "nodes without finite coordinates", max_listed);
+  ProblemsOfOneKind unused("mesh", "nodes without an element", max_listed);
   for (std::size_t n = 0; n < mesh.n_nodes(); ++n) {
     const Vec3& X = mesh.X()[n];
     if (!X.allFinite()) {
@@ -78,8 +52,8 @@ void check_nodes(const Mesh& mesh, const SourceNames& names, std::vector<Problem
   unused.move_to(all);
 }
 
-void check_elements(const Mesh& mesh, const SourceNames& names, std::vector<Problem>& all) {
-  ProblemsOfOneKind bad("inverted or flat elements");
+void check_elements(const Mesh& mesh, const SourceNames& names, Problems& all) {
+  ProblemsOfOneKind bad("mesh", "inverted or flat elements", max_listed);
   for (std::size_t i = 0; i < mesh.n_elements(); ++i) {
     const Index e = to_index(i);
     if (!is_finite(mesh, mesh.element(e))) continue;
@@ -91,21 +65,22 @@ void check_elements(const Mesh& mesh, const SourceNames& names, std::vector<Prob
                          scaled < -flat ? "inverted" : "flat", scaled),
              "a value above 0", "check the order of its nodes and their coordinates"});
   }
+  const bool all_bad = mesh.n_elements() > 1 && bad.count() == mesh.n_elements();
   bad.move_to(all);
-  if (mesh.n_elements() > 1 && bad.count() == mesh.n_elements()) {
-    all.push_back({"mesh", "every element is inverted or flat", "elements with positive volume",
-                   "the nodes may be numbered left-handed: swap the two ends of each element"});
+  if (all_bad) {
+    all.add({"mesh", "every element is inverted or flat", "elements with positive volume",
+             "the nodes may be numbered left-handed: swap the two ends of each element"});
   }
 }
 
 }  // namespace
 
 std::vector<Problem> check_geometry(const Mesh& mesh, const SourceNames& names) {
-  std::vector<Problem> all;
-  if (mesh.n_elements() == 0) all.push_back({"mesh", "no element", "at least one element", ""});
+  Problems all;
+  if (mesh.n_elements() == 0) all.add({"mesh", "no element", "at least one element", ""});
   check_nodes(mesh, names, all);
   check_elements(mesh, names, all);
-  return all;
+  return all.list();
 }
 
 std::vector<Problem> check_size(const Mesh& mesh, double smallest, double largest) {
