@@ -2,6 +2,7 @@
 // Contact: forces from the barrier's energy, on both sides alike, and nothing that passes.
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "support/dense.hpp"
 #include "support/random.hpp"
@@ -219,6 +220,40 @@ TEST(Contact, IsNotFeltByAPointThatBelongsToTheTriangle) {
   const Contact& contact = model.add(std::make_unique<Contact>(model, points, surface, settings));
   EXPECT_EQ(model.energy(model.initial_state(), {}), 0.0);
   EXPECT_EQ(contact.report(model.initial_state()).n_points, 0);
+}
+
+/// A strip of skin, a row of squares of 0.3 mm, rolled to this radius; every vertex is a point as well.
+ContactReport report_of_rolled_strip(double radius) {
+  constexpr Index n = 20;
+  constexpr double size = 0.3;
+  ContactSurface surface{"skin", {}, {}};
+  std::vector<ContactPoint> points;
+  for (Index i = 0; i <= n; ++i) {
+    for (Index j = 0; j <= 2; ++j) {
+      const double angle = size * i / radius;
+      const Vec3 X(radius * std::sin(angle), size * j, radius * (1.0 - std::cos(angle)));
+      const Anchor anchor = Anchor::on_node(3 * i + j, X);
+      surface.vertices.push_back(anchor);
+      points.push_back({anchor, size * size});
+      if (i == n || j == 2) continue;
+      const Index a = 3 * i + j;
+      surface.triangles.push_back({a, a + 3, a + 4});
+      surface.triangles.push_back({a, a + 4, a + 1});
+    }
+  }
+  Model model(3 * (n + 1));
+  const Contact& contact = model.add(std::make_unique<Contact>(model, points, surface, settings));
+  return contact.report(model.initial_state());
+}
+
+TEST(Contact, IsNotFeltByAPointFromItsOwnSurroundings) {
+  EXPECT_NEAR(report_of_rolled_strip(4.0).largest_pressure, 0.0, 1e-12)
+      << "bent, and nowhere near itself";
+}
+
+TEST(Contact, IsFeltWhereASurfaceComesRoundToItself) {
+  const double full_turn = 0.3 * 20 / (2.0 * std::numbers::pi);
+  EXPECT_GT(report_of_rolled_strip(1.05 * full_turn).largest_pressure, 0.0);
 }
 
 }  // namespace

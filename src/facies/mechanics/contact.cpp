@@ -47,6 +47,7 @@ Contact::Contact(const Model& model, std::vector<ContactPoint> points, ContactSu
             "a contact surface belongs to one body or to the tissue");
   }
   list_parts();
+  list_surroundings();
   if (!is_rigid()) return;
   std::vector<Vec3> vertices;
   for (const Anchor& vertex : surface_.vertices)
@@ -76,6 +77,27 @@ void Contact::list_parts() {
     parts_.push_back({{vertex, vertex, vertex}, 1.0});
   for (const Part& part : parts_)
     corners_.push_back(part.corners);
+}
+
+void Contact::list_surroundings() {
+  surroundings_.resize(points_.size());
+  if (is_rigid()) return;
+  std::map<Index, Index> vertex_of_node;
+  for (std::size_t v = 0; v < surface_.vertices.size(); ++v)
+    vertex_of_node[surface_.vertices[v].index] = to_index(v);
+  std::vector<std::set<Index>> around(surface_.vertices.size());
+  for (const std::array<Index, 3>& triangle : surface_.triangles) {
+    for (const Index vertex : triangle)
+      around[at(vertex)].insert(triangle.begin(), triangle.end());
+  }
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    const Anchor& anchor = points_[p].anchor;
+    if (anchor.kind != Anchor::Kind::node) continue;
+    const auto own = vertex_of_node.find(anchor.index);
+    if (own == vertex_of_node.end()) continue;
+    const std::set<Index>& vertices = around[at(own->second)];
+    surroundings_[p].assign(vertices.begin(), vertices.end());
+  }
 }
 
 double Contact::weight(const Pair& pair) const {
@@ -124,11 +146,10 @@ std::vector<Contact::Pair> Contact::pairs(const State& state, double distance) c
 }
 
 bool Contact::is_own(std::size_t point, Index part) const {
-  const Anchor& anchor = points_[point].anchor;
-  if (is_rigid() || anchor.kind != Anchor::Kind::node) return false;
+  const std::vector<Index>& around = surroundings_[point];
   const std::array<Index, 3>& corners = corners_[at(part)];
   return std::any_of(corners.begin(), corners.end(), [&](Index corner) {
-    return surface_.vertices[at(corner)].index == anchor.index;
+    return std::binary_search(around.begin(), around.end(), corner);
   });
 }
 

@@ -30,9 +30,9 @@ struct ContactSurface {
 };
 
 struct ContactSettings {
-  double d_hat = 0.1;  ///< distance from which on a surface is felt [mm]
+  double d_hat = 0.5;  ///< distance from which on a surface is felt [mm]
   double stiffness =
-      100.0;  ///< of the barrier [kPa/mm]; the pressure at d_hat/2 is 0.12 d_hat times this
+      100.0;  ///< of the barrier [kPa/mm]; the pressure at d_hat/2 is 1.19 d_hat times this
   double reach = 2.0;  ///< couplings are kept for what is nearer than this [mm]
 };
 
@@ -48,9 +48,11 @@ struct ContactReport {
 /// point to the part and the barrier b of Incremental Potential Contact (Li et al. 2020, Eq. 6). Parts are the triangles
 /// (+), the edges that two of them share (-) and the vertices inside the surface (+): so a plane is felt once however it
 /// is cut into triangles, the energy has continuous first derivatives everywhere, and the sides of a crease are both felt
-/// (li2023). E is infinite where a point touches, so none ever
-/// passes: longest_step() ends a step before (additive continuous collision detection, Li et al. 2021). A point does
-/// not feel parts that it is a vertex of.
+/// (li2023). E is infinite where a point touches, so none ever passes: longest_step() ends a step before (additive
+/// continuous collision detection, Li et al. 2021).
+///
+/// A point that is a vertex of the surface does not feel its surroundings there: parts with a vertex that is the point or
+/// shares a triangle with it. They are near without being in its way, and the elements below keep them apart.
 class Contact final : public Term {
  public:
   /// The model must outlive the term. Throws BugError for a surface that is neither bone nor tissue.
@@ -67,6 +69,7 @@ class Contact final : public Term {
   void likely_stencils(const State& state, Stencils& stencils) const override;
   void add_tangent(const State& state, const Controls& controls, TangentSink& K) const override;
 
+  /// What the surface feels at a state that has an energy.
   [[nodiscard]] ContactReport report(const State& state) const;
 
  private:
@@ -97,6 +100,7 @@ class Contact final : public Term {
   [[nodiscard]] bool is_own(std::size_t point, Index part) const;
   [[nodiscard]] double weight(const Pair& pair) const;
   void list_parts();
+  void list_surroundings();
   void push_groups(const std::vector<Pair>& pairs, Stencils& stencils) const;
   [[nodiscard]] Eigen::MatrixXd pair_tangent(const State& state, const Pair& pair) const;
   [[nodiscard]] double safe_part(const Geometry& from, const Geometry& to, std::size_t point,
@@ -107,7 +111,8 @@ class Contact final : public Term {
   ContactSurface surface_;
   ContactSettings settings_;
   std::vector<Part> parts_;
-  std::vector<std::array<Index, 3>> corners_;  // of the parts
+  std::vector<std::array<Index, 3>> corners_;     // of the parts
+  std::vector<std::vector<Index>> surroundings_;  // [n_points] vertices of the surface, ascending
   std::shared_ptr<const mesh::NearestTriangles>
       rigid_;  // where the surface is a bone: in the bone's own frame
 };
