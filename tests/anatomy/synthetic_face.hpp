@@ -193,7 +193,7 @@ class SyntheticFace {
           "rm,right,masseter,skull,30,10,50,jaw,30,10,15,190.4,30,40,0.46,0.015,1,s\n");
     write(tables() / "jaw-exciters.csv", "name,meaning,muscles,source\nclose,closers,rm lm,s\n");
     write(tables() / "jaw-surfaces.csv",
-          "name,meaning,bone,file,scale,source\njaw,m,jaw,face/geometry/jaw.obj,1000,s\n");
+          "name,meaning,bone,file,scale,closed,source\njaw,m,jaw,face/geometry/jaw.obj,1000,1,s\n");
   }
 
   TemporaryFolder folder_;

@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(Words, BadScenario, testing::ValuesIn(words),
 
 const Case steps[] = {
     {"NoSteps", "name: a\n",
-     "x.yaml:1:1: no steps; expected steps: a list of tension, release, express\n"},
+     "x.yaml:1:1: no steps; expected steps: a list of tension, release, express, open_jaw\n"},
     {"EmptySteps", "steps: []\n",
      "x.yaml:1:8: no steps; expected a list of steps, each of them one of: tension, release, "
      "express, open_jaw\n"},

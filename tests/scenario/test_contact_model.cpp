@@ -42,19 +42,28 @@ TEST(Excite, TakesTheMusclesOwnEntryThenTheLargestExciter) {
 
 TEST(OpenJaw, IsReadAsAStepWithExcitations) {
   const Reading reading =
-      read_text("steps:\n  - open_jaw: {bi_open: 1, lad: 0.5}\n", "x.yaml", "x", {});
+      read_text("jaw: free\nsteps:\n  - open_jaw: {bi_open: 1, lad: 0.5}\n", "x.yaml", "x", {});
   ASSERT_TRUE(reading.problems.empty());
   const auto& step = std::get<OpenJawStep>(reading.scenario.steps.at(0));
   EXPECT_EQ(step.excitations, (std::map<std::string, double>{{"bi_open", 1.0}, {"lad", 0.5}}));
 }
 
 TEST(OpenJaw, IsRefusedOnAFaceWithoutThatMuscle) {
-  const Reading reading = read_text("steps:\n  - open_jaw: {bi_opn: 1}\n", "x.yaml", "x", {});
+  const Reading reading =
+      read_text("jaw: free\nsteps:\n  - open_jaw: {bi_opn: 1}\n", "x.yaml", "x", {});
   const std::vector<Problem> problems =
       check_against_face(reading.scenario, {{"ZYG"}, {"bi_open", "lad"}});
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_EQ(problems[0].where, "x.yaml:2:16");
+  EXPECT_EQ(problems[0].where, "x.yaml:3:16");
   EXPECT_THAT(problems[0].hint, testing::HasSubstr("did you mean 'bi_open'?"));
+}
+
+TEST(OpenJaw, IsRefusedWhereTheJawIsHeld) {
+  const Reading reading =
+      read_text("jaw: held\nsteps:\n  - open_jaw: {bi_open: 1}\n", "x.yaml", "x", {});
+  ASSERT_EQ(reading.problems.size(), 1U);
+  EXPECT_EQ(reading.problems[0].where, "x.yaml:3:5");
+  EXPECT_THAT(reading.problems[0].hint, testing::HasSubstr("jaw: free"));
 }
 
 /// A patch of skin whose inner side partly lies in a box of bone.
@@ -106,6 +115,28 @@ TEST_F(PatchOnABox, BeginsOutsideOfTheBoneAndNotNearerThanAsked) {
     if (nearest.nearest(point.anchor.X).signed_distance() > 0.31) {
       EXPECT_EQ(u[at(point.anchor.index)], Vec3::Zero());
     }
+  }
+}
+
+TEST_F(PatchOnABox, IsRefusedWhereTheBoneIsInsideOut) {
+  for (std::array<Index, 3>& triangle : box_.surface.triangles)
+    std::swap(triangle[0], triangle[1]);
+  try {
+    (void)resolve_overlaps(face_, inner_points(face_, {}), {box_}, 0.3);
+    FAIL() << "taken";
+  } catch (const DataError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("on its inner side"));
+  }
+}
+
+TEST_F(PatchOnABox, IsRefusedWhereTheBoneIsFarAway) {
+  for (mechanics::Anchor& vertex : box_.surface.vertices)
+    vertex.X *= 1000.0;
+  try {
+    (void)resolve_overlaps(face_, inner_points(face_, {}), {box_}, 0.3);
+    FAIL() << "taken";
+  } catch (const DataError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("mm from the tissue nearest to it"));
   }
 }
 

@@ -2,7 +2,6 @@
 #include "facies/anatomy/contact_regions.hpp"
 
 #include <algorithm>
-#include <array>
 #include <set>
 
 #include "facies/mesh/surface.hpp"
@@ -25,8 +24,7 @@ std::vector<mesh::Face> faces_on_bone(const mesh::Mesh& mesh, double above) {
   if (without_bone.empty()) return {};
   std::vector<mesh::Face> faces;
   for (const mesh::Face& face : mesh.faces("inner")) {
-    const std::array<mesh::Face, 1> alone = {face};
-    const std::vector<Index> nodes = mesh::face_set_nodes(mesh, alone);
+    const std::vector<Index> nodes = mesh.face_nodes(face);
     const bool on_bone = std::all_of(nodes.begin(), nodes.end(), [&](Index node) {
       return mesh.X()[at(node)].z() >= above && !without_bone.contains(node);
     });
@@ -59,8 +57,7 @@ std::vector<mesh::Face> faces_around_mouth(const FaceAnatomy& face, double aroun
   const double deepest = std::max(a.x(), b.x()) + around;
   std::vector<mesh::Face> faces;
   for (const mesh::Face& boundary : mesh::boundary_faces(face.mesh)) {
-    const std::array<mesh::Face, 1> alone = {boundary};
-    const std::vector<Index> nodes = mesh::face_set_nodes(face.mesh, alone);
+    const std::vector<Index> nodes = face.mesh.face_nodes(boundary);
     const bool near = std::all_of(nodes.begin(), nodes.end(), [&](Index node) {
       const Vec3& x = X[at(node)];
       return x.x() <= deepest && frontal_distance(x, a, b) <= around;

@@ -88,7 +88,8 @@ struct BoneSurface {
   std::string meaning;
   Index bone = -1;
   std::filesystem::path file;
-  double scale = 1.0;  ///< from the file's unit to mm
+  double scale = 1.0;   ///< from the file's unit to mm
+  bool closed = false;  ///< it encloses the bone, without a border
 };
 
 struct Jaw {

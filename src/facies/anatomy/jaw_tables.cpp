@@ -322,13 +322,14 @@ void read_exciters(const fs::path& path, Jaw& jaw, Problems& problems) {
 
 void read_surfaces(const fs::path& path, Jaw& jaw, Problems& problems) {
   std::vector<std::string> names;
-  for_each_row(path, {"name", "meaning", "bone", "file", "scale"}, problems, [&](const Row& row) {
+  for_each_row(path, {"name", "meaning", "bone", "file", "scale", "closed"}, problems, [&](const Row& row) {
     BoneSurface surface;
     surface.name = row.name(names);
     surface.meaning = row.text("meaning");
     surface.bone = row.place("bone", jaw.bones);
     surface.file = row.text("file");
     surface.scale = row.positive("scale");
+    surface.closed = row.flag("closed");
     if (surface.file.empty()) row.refuse("file", "no file", "the file of the surface");
     jaw.surfaces.push_back(std::move(surface));
   });

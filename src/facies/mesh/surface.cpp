@@ -75,6 +75,17 @@ FaceTriangles triangulate(const Mesh& mesh, std::span<const Face> faces) {
   return surface;
 }
 
+NumberedTriangles triangulate_alone(const Mesh& mesh, std::span<const Face> faces) {
+  NumberedTriangles alone{face_set_nodes(mesh, faces), triangulate(mesh, faces).triangles};
+  for (std::array<Index, 3>& triangle : alone.triangles) {
+    for (Index& corner : triangle) {
+      const auto found = std::lower_bound(alone.nodes.begin(), alone.nodes.end(), corner);
+      corner = static_cast<Index>(found - alone.nodes.begin());
+    }
+  }
+  return alone;
+}
+
 Vec3 area_vector(const Mesh& mesh, Face face, std::span<const Vec3> x) {
   const std::vector<Index> n = mesh.face_nodes(face);
   const Vec3 a = x[at(n[2])] - x[at(n[0])];
@@ -107,6 +118,18 @@ double surface_area(const Mesh& mesh, std::span<const Face> faces, std::span<con
   for (const Face& face : faces)
     area += face_area(mesh, face, x);
   return area;
+}
+
+std::vector<double> node_areas(const Mesh& mesh, std::span<const Face> faces,
+                               std::span<const Vec3> x) {
+  std::vector<double> areas(mesh.n_nodes(), 0.0);
+  for (const Face& face : faces) {
+    const std::vector<Index> nodes = mesh.face_nodes(face);
+    const double share = face_area(mesh, face, x) / static_cast<double>(nodes.size());
+    for (const Index node : nodes)
+      areas[at(node)] += share;
+  }
+  return areas;
 }
 
 std::vector<Vec3> face_normals(const Mesh& mesh, std::span<const Face> faces,

@@ -36,6 +36,13 @@ struct FaceTriangles {
 /// get the same triangles.
 [[nodiscard]] FaceTriangles triangulate(const Mesh& mesh, std::span<const Face> faces);
 
+/// The same triangles on positions in a list of the nodes that they have.
+struct NumberedTriangles {
+  std::vector<Index> nodes;  ///< ascending
+  std::vector<std::array<Index, 3>> triangles;
+};
+[[nodiscard]] NumberedTriangles triangulate_alone(const Mesh& mesh, std::span<const Face> faces);
+
 /// The integral of the outward unit normal over the face [mm^2]; half the cross product of a quadrilateral's diagonals,
 /// exact for the bilinear face.
 [[nodiscard]] Vec3 area_vector(const Mesh& mesh, Face face, std::span<const Vec3> x);
@@ -46,6 +53,10 @@ struct FaceTriangles {
 /// The sum of the faces' areas [mm^2].
 [[nodiscard]] double surface_area(const Mesh& mesh, std::span<const Face> faces,
                                   std::span<const Vec3> x);
+
+/// What each node has of the faces around it: every face goes in equal parts to its nodes [n_nodes] [mm^2].
+[[nodiscard]] std::vector<double> node_areas(const Mesh& mesh, std::span<const Face> faces,
+                                             std::span<const Vec3> x);
 
 /// Outward unit normals, one per face; zero for a face without area.
 [[nodiscard]] std::vector<Vec3> face_normals(const Mesh& mesh, std::span<const Face> faces,

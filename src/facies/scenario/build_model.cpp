@@ -2,10 +2,12 @@
 #include "facies/scenario/build_model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "facies/mechanics/loads.hpp"
-#include "facies/mesh/surface.hpp"
 
 namespace facies::scenario {
 
@@ -54,9 +56,9 @@ void assign_fibres(const std::vector<anatomy::Muscle>& muscles, const MuscleChoi
 }
 
 /// All three unknowns of the nodes of these sets, ascending.
-std::vector<Index> unknowns_of(const mesh::Mesh& mesh, std::initializer_list<const char*> sets) {
+std::vector<Index> unknowns_of(const mesh::Mesh& mesh, const std::vector<std::string>& sets) {
   std::set<Index> nodes;
-  for (const char* set : sets) {
+  for (const std::string& set : sets) {
     const std::span<const Index> members = mesh.nodes(set);
     nodes.insert(members.begin(), members.end());
   }
@@ -69,8 +71,34 @@ std::vector<Index> unknowns_of(const mesh::Mesh& mesh, std::initializer_list<con
   return dofs;
 }
 
+/// The node set that is tied to the jaw.
+std::string attached_nodes(const anatomy::FaceAnatomy& face) {
+  return face.jaw ? face.jaw->attached_nodes : anatomy::Jaw().attached_nodes;
+}
+
+/// Node sets that stay in place once the tension is in.
+constexpr std::array<const char*, 4> supports = {"rim", "zygomatic", "nose", "orbit"};
+
+/// Whether a run needs the jaw as a body: to move it, or to lean on it where it stands.
+bool needs_jaw(const anatomy::FaceAnatomy& face, const Scenario& scenario) {
+  return face.jaw && (scenario.jaw == "free" || scenario.contact.bones);
+}
+
+/// What is held while the tension is put in, and from the release on. A jaw that is no body holds the nodes tied to it.
+void choose_supports(FaceModel& built) {
+  const mesh::Mesh& mesh = built.face.mesh;
+  std::vector<std::string> held(supports.begin(), supports.end());
+  if (!built.jaw) held.push_back(attached_nodes(built.face));
+  built.held_in_tension = unknowns_of(mesh, {"held_in_tension"});
+  built.held_after_release = unknowns_of(mesh, held);
+  if (!built.held_after_release.empty()) return;
+  throw DataError({{built.face.source, "no node is fixed",
+                    fmt::format("at least one of the node sets {}", fmt::join(supports, ", ")),
+                    "a face that nothing holds has no equilibrium"}});
+}
+
 /// The jaw with its joint, muscles and ligaments; while the tension is put in, or for good, it is held.
-void add_jaw(FaceModel& built, const Scenario& scenario) {
+void add_jaw(FaceModel& built, bool held) {
   const anatomy::Jaw& jaw = *built.face.jaw;
   const mesh::Mesh& mesh = built.face.mesh;
   built.jaw_terms = add_jaw_terms(built.model, jaw, *built.jaw);
@@ -83,70 +111,18 @@ void add_jaw(FaceModel& built, const Scenario& scenario) {
       built.model, std::move(ties), mechanics::joint_stiffness));
   for (int component = 0; component < static_cast<int>(mechanics::dofs_of_body); ++component) {
     built.held_in_tension.push_back(built.model.body_dof(0, component));
-    if (scenario.jaw == "held")
-      built.held_after_release.push_back(built.model.body_dof(0, component));
+    if (held) built.held_after_release.push_back(built.model.body_dof(0, component));
   }
 }
 
-/// The surface around the mouth, as points and as triangles.
-void add_lip_contact(FaceModel& built, const mechanics::ContactSettings& settings) {
-  const mesh::Mesh& mesh = built.face.mesh;
-  if (!mesh.face_sets().contains("mouth")) return;
-  const std::span<const mesh::Face> faces = mesh.faces("mouth");
-  const std::vector<Index> nodes = mesh::face_set_nodes(mesh, faces);
-  std::map<Index, double> area;
-  for (const mesh::Face& face : faces) {
-    const std::array<mesh::Face, 1> alone = {face};
-    const std::vector<Index> corners = mesh::face_set_nodes(mesh, alone);
-    for (const Index node : corners)
-      area[node] += mesh::face_area(mesh, face, mesh.X()) / static_cast<double>(corners.size());
-  }
-  std::vector<mechanics::ContactPoint> points;
-  mechanics::ContactSurface surface{"lips", {}, {}};
-  for (const Index node : nodes) {
-    const mechanics::Anchor anchor = mechanics::Anchor::on_node(node, mesh.X()[at(node)]);
-    points.push_back({anchor, area.at(node)});
-    surface.vertices.push_back(anchor);
-  }
-  for (const std::array<Index, 3>& triangle : mesh::triangulate(mesh, faces).triangles) {
-    std::array<Index, 3> corners{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto found = std::lower_bound(nodes.begin(), nodes.end(), triangle[k]);
-      corners[k] = static_cast<Index>(found - nodes.begin());
-    }
-    surface.triangles.push_back(corners);
-  }
-  built.contacts.push_back(&built.model.add(std::make_unique<mechanics::Contact>(
-      built.model, std::move(points), std::move(surface), settings)));
-}
-
-/// Contact of everything that the scenario asks for, and an initial state without overlaps.
-void add_contacts(FaceModel& built, const ContactChoice& choice) {
-  const mechanics::ContactSettings settings{.d_hat = choice.distance,
-                                            .stiffness = choice.stiffness};
-  if (choice.bones || choice.skull != "none") {
-    std::set<Index> left_out;
-    for (const Index dof : built.held_after_release)
-      left_out.insert(dof / 3);
-    const std::span<const Index> tied = built.face.mesh.nodes("mandibular");
-    left_out.insert(tied.begin(), tied.end());
-    const std::vector<mechanics::ContactPoint> points = inner_points(built.face, left_out);
-    std::vector<BoneObstacle> obstacles =
-        bone_obstacles(built.face, built.jaw ? &*built.jaw : nullptr, choice);
-    built.initial.u = resolve_overlaps(built.face, points, obstacles, choice.distance);
-    for (BoneObstacle& obstacle : obstacles) {
-      built.contacts.push_back(&built.model.add(std::make_unique<mechanics::Contact>(
-          built.model, points, std::move(obstacle.surface), settings)));
-    }
-  }
-  if (choice.lips) add_lip_contact(built, settings);
-}
-
-void check_supports(const FaceModel& model) {
-  if (!model.held_after_release.empty()) return;
-  throw DataError({{model.face.source, "no node is fixed",
-                    "at least one of the node sets rim, zygomatic, nose, orbit",
-                    "a face that nothing holds has no equilibrium"}});
+/// Nodes that take no part in contact with bone: held ones, and those tied to the jaw.
+std::set<Index> nodes_on_bone(const FaceModel& built) {
+  std::set<Index> nodes;
+  for (const Index dof : built.held_after_release)
+    nodes.insert(dof / 3);
+  const std::span<const Index> tied = built.face.mesh.nodes(attached_nodes(built.face));
+  nodes.insert(tied.begin(), tied.end());
+  return nodes;
 }
 
 }  // namespace
@@ -173,7 +149,7 @@ std::unique_ptr<FaceModel> build_model(anatomy::FaceAnatomy face, const Scenario
                                        int threads) {
   const double tsf = tension_scaling_factor(scenario);
   std::optional<SettledJaw> settled;
-  if (face.jaw) settled = settle_jaw(*face.jaw, scenario.gravity.vector());
+  if (needs_jaw(face, scenario)) settled = settle_jaw(*face.jaw, scenario.gravity.vector());
   auto built = std::make_unique<FaceModel>(std::move(face), std::move(settled));
   const mesh::Mesh& mesh = built->face.mesh;
   built->muscles = anatomy::select_muscles(built->face, scenario.muscle.radius, tsf);
@@ -192,17 +168,14 @@ std::unique_ptr<FaceModel> build_model(anatomy::FaceAnatomy face, const Scenario
   built->solid =
       &built->model.add(std::make_unique<mechanics::Solid>(mesh, std::move(description), threads));
 
-  built->held_in_tension = unknowns_of(mesh, {"held_in_tension"});
-  built->held_after_release = unknowns_of(mesh, {"rim", "zygomatic", "nose", "orbit"});
-  if (built->jaw) {
-    add_jaw(*built, scenario);
-  } else {
-    built->held_after_release =
-        unknowns_of(mesh, {"rim", "zygomatic", "nose", "orbit", "mandibular"});
-  }
-  check_supports(*built);
+  choose_supports(*built);
+  if (built->jaw) add_jaw(*built, scenario.jaw == "held");
   built->initial = built->model.initial_state();
-  add_contacts(*built, scenario.contact);
+  ContactTerms contact =
+      add_contacts(built->model, built->face, built->jaw ? &*built->jaw : nullptr, scenario.contact,
+                   nodes_on_bone(*built));
+  built->contacts = std::move(contact.contacts);
+  if (!contact.start.empty()) built->initial.u = std::move(contact.start);
   return built;
 }
 

@@ -2,13 +2,15 @@
 #include "facies/scenario/contact_model.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include "facies/anatomy/face_anatomy.hpp"
 #include "facies/mesh/nearest.hpp"
 #include "facies/mesh/surface.hpp"
-#include "facies/mesh/triangle_surface.hpp"
+#include "facies/scenario/bone_surface.hpp"
 
 namespace facies::scenario {
 
@@ -20,15 +22,22 @@ constexpr int most_sweeps = 20;
 /// A little more than asked for, so that rounding leaves no force.
 constexpr double margin = 1.0 + 1e-6;
 
+/// Points that are to say on which side of a bone the tissue is [mm].
+constexpr double around_bone = 15.0;
+
+/// Tissue that is farther from a bone has nothing to do with it [mm].
+constexpr double far_from_bone = 50.0;
+
+using Points = std::vector<mechanics::ContactPoint>;
+
 BoneObstacle bone_of(const anatomy::Jaw& jaw, const SettledJaw& settled,
-                     const anatomy::BoneSurface& file, Problems& problems) {
-  const mesh::TriangleSurface surface =
-      mesh::merge_coincident_vertices(mesh::read_obj(file.file, file.scale, problems));
+                     const anatomy::BoneSurface& bone, Problems& problems) {
+  const mesh::TriangleSurface surface = read_bone_surface(bone, problems);
   BoneObstacle obstacle;
-  obstacle.surface.name = file.name;
+  obstacle.surface.name = bone.name;
   obstacle.surface.triangles = surface.triangles;
   for (const Vec3& X : surface.X)
-    obstacle.surface.vertices.push_back(anchor_of(jaw, settled, {file.bone, X}));
+    obstacle.surface.vertices.push_back(anchor_of(jaw, settled, {bone.bone, X}));
   return obstacle;
 }
 
@@ -45,25 +54,94 @@ Vec3 outwards(const mechanics::ContactSurface& surface, const mesh::NearestPoint
 
 /// The part of the inner surface that lies on bone, moved inwards.
 BoneObstacle stand_in(const mesh::Mesh& mesh, double distance) {
-  const std::span<const mesh::Face> faces = mesh.faces("on_bone");
   const std::vector<Vec3> normals = mesh::vertex_normals(mesh, mesh.faces("inner"), mesh.X());
-  const std::vector<Index> nodes = mesh::face_set_nodes(mesh, faces);
+  mesh::NumberedTriangles part = mesh::triangulate_alone(mesh, mesh.faces("on_bone"));
   BoneObstacle obstacle;
   obstacle.surface.name = "skull";
   obstacle.pushes_out = false;
-  for (const Index node : nodes) {
+  for (const Index node : part.nodes) {
     obstacle.surface.vertices.push_back(
         mechanics::Anchor::in_space(mesh.X()[at(node)] + margin * distance * normals[at(node)]));
   }
-  for (const std::array<Index, 3>& triangle : mesh::triangulate(mesh, faces).triangles) {
-    std::array<Index, 3> corners{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto found = std::lower_bound(nodes.begin(), nodes.end(), triangle[k]);
-      corners[k] = static_cast<Index>(found - nodes.begin());
-    }
-    obstacle.surface.triangles.push_back(corners);
-  }
+  obstacle.surface.triangles = std::move(part.triangles);
   return obstacle;
+}
+
+/// A bone with a search tree in the place where it begins.
+struct PlacedBone {
+  const mechanics::ContactSurface* surface;
+  mesh::NearestTriangles nearest;
+};
+
+std::vector<PlacedBone> place_bones(const std::vector<BoneObstacle>& obstacles) {
+  std::vector<PlacedBone> bones;
+  for (const BoneObstacle& obstacle : obstacles) {
+    if (!obstacle.pushes_out) continue;
+    std::vector<Vec3> X;
+    for (const mechanics::Anchor& vertex : obstacle.surface.vertices)
+      X.push_back(vertex.X);
+    bones.push_back({&obstacle.surface, mesh::NearestTriangles(X, obstacle.surface.triangles)});
+  }
+  return bones;
+}
+
+/// A bone is where the face is, and tissue around it on its outer side.
+void check_place(const PlacedBone& bone, const Points& points, Problems& problems) {
+  double nearest = std::numeric_limits<double>::infinity();
+  int n_around = 0;
+  int n_inside = 0;
+  for (const mechanics::ContactPoint& point : points) {
+    const mesh::NearestPoint near = bone.nearest.nearest(point.anchor.X);
+    nearest = std::min(nearest, near.distance);
+    if (near.distance > around_bone) continue;
+    ++n_around;
+    if (near.is_inside) ++n_inside;
+  }
+  const std::string where = fmt::format("bone '{}'", bone.surface->name);
+  if (nearest > far_from_bone) {
+    problems.add({where, fmt::format("{:.0f} mm from the tissue nearest to it", nearest),
+                  "a bone of this face",
+                  "look at its unit ('scale' of jaw-surfaces.csv) and axes"});
+  }
+  if (2 * n_inside > n_around) {
+    problems.add(
+        {where,
+         fmt::format("{} of {} tissue nodes around it are on its inner side", n_inside, n_around),
+         "tissue outside", "the surface may be inside out: turn every triangle"});
+  }
+}
+
+/// Takes a point out of all bones in turn until none is too near; false where that comes to no end.
+bool push_out(const std::vector<PlacedBone>& bones, double distance, Vec3& x) {
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    bool is_free = true;
+    for (const PlacedBone& bone : bones) {
+      const mesh::NearestPoint near = bone.nearest.nearest(x);
+      if (near.signed_distance() >= distance) continue;
+      x = near.point + margin * distance * outwards(*bone.surface, near, x);
+      is_free = false;
+    }
+    if (is_free) return true;
+  }
+  return false;
+}
+
+/// The surface around the mouth as a contact of the tissue with itself.
+std::unique_ptr<mechanics::Contact> lip_contact(const mechanics::Model& model,
+                                                const mesh::Mesh& mesh,
+                                                const mechanics::ContactSettings& settings) {
+  const std::span<const mesh::Face> faces = mesh.faces("mouth");
+  const std::vector<double> area = mesh::node_areas(mesh, faces, mesh.X());
+  mesh::NumberedTriangles part = mesh::triangulate_alone(mesh, faces);
+  Points points;
+  mechanics::ContactSurface surface{"lips", {}, std::move(part.triangles)};
+  for (const Index node : part.nodes) {
+    const mechanics::Anchor anchor = mechanics::Anchor::on_node(node, mesh.X()[at(node)]);
+    points.push_back({anchor, area[at(node)]});
+    surface.vertices.push_back(anchor);
+  }
+  return std::make_unique<mechanics::Contact>(model, std::move(points), std::move(surface),
+                                              settings);
 }
 
 }  // namespace
@@ -74,8 +152,8 @@ std::vector<BoneObstacle> bone_obstacles(const anatomy::FaceAnatomy& face,
   Problems problems;
   if (choice.bones && face.jaw && settled != nullptr) {
     for (const char* name : {"jaw", "maxilla"}) {
-      const anatomy::BoneSurface* file = anatomy::find_named(face.jaw->surfaces, name);
-      if (file != nullptr) obstacles.push_back(bone_of(*face.jaw, *settled, *file, problems));
+      const anatomy::BoneSurface* bone = anatomy::find_named(face.jaw->surfaces, name);
+      if (bone != nullptr) obstacles.push_back(bone_of(*face.jaw, *settled, *bone, problems));
     }
   }
   problems.throw_if_any<DataError>();
@@ -88,18 +166,12 @@ std::vector<BoneObstacle> bone_obstacles(const anatomy::FaceAnatomy& face,
 std::vector<mechanics::ContactPoint> inner_points(const anatomy::FaceAnatomy& face,
                                                   const std::set<Index>& left_out) {
   const mesh::Mesh& mesh = face.mesh;
-  std::map<Index, double> area;
-  for (const mesh::Face& inner : mesh.faces("inner")) {
-    const std::array<mesh::Face, 1> alone = {inner};
-    const std::vector<Index> nodes = mesh::face_set_nodes(mesh, alone);
-    const double share = mesh::face_area(mesh, inner, mesh.X()) / static_cast<double>(nodes.size());
-    for (const Index node : nodes)
-      area[node] += share;
-  }
-  std::vector<mechanics::ContactPoint> points;
-  for (const auto& [node, share] : area) {
+  const std::span<const mesh::Face> inner = mesh.faces("inner");
+  const std::vector<double> area = mesh::node_areas(mesh, inner, mesh.X());
+  Points points;
+  for (const Index node : mesh::face_set_nodes(mesh, inner)) {
     if (!left_out.contains(node))
-      points.push_back({mechanics::Anchor::on_node(node, mesh.X()[at(node)]), share});
+      points.push_back({mechanics::Anchor::on_node(node, mesh.X()[at(node)]), area[at(node)]});
   }
   return points;
 }
@@ -107,31 +179,46 @@ std::vector<mechanics::ContactPoint> inner_points(const anatomy::FaceAnatomy& fa
 std::vector<Vec3> resolve_overlaps(const anatomy::FaceAnatomy& face,
                                    const std::vector<mechanics::ContactPoint>& points,
                                    const std::vector<BoneObstacle>& obstacles, double distance) {
-  std::vector<mesh::NearestTriangles> nearest;
-  for (const BoneObstacle& obstacle : obstacles) {
-    std::vector<Vec3> X;
-    for (const mechanics::Anchor& vertex : obstacle.surface.vertices)
-      X.push_back(vertex.X);
-    nearest.emplace_back(X, obstacle.surface.triangles);
-  }
+  const std::vector<PlacedBone> bones = place_bones(obstacles);
+  Problems problems;
+  for (const PlacedBone& bone : bones)
+    check_place(bone, points, problems);
+  problems.throw_if_any<DataError>();
+  ProblemsOfOneKind caught("bones", "nodes without a place");
   std::vector<Vec3> u(face.mesh.n_nodes(), Vec3::Zero());
   for (const mechanics::ContactPoint& point : points) {
-    Vec3& way = u[at(point.anchor.index)];
-    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-      bool is_free = true;
-      for (std::size_t k = 0; k < obstacles.size(); ++k) {
-        if (!obstacles[k].pushes_out) continue;
-        const Vec3 x = point.anchor.X + way;
-        const mesh::NearestPoint near = nearest[k].nearest(x);
-        if (near.signed_distance() >= distance) continue;
-        is_free = false;
-        way +=
-            (margin * distance - near.signed_distance()) * outwards(obstacles[k].surface, near, x);
-      }
-      if (is_free) break;
+    Vec3 x = point.anchor.X;
+    if (!push_out(bones, distance, x)) {
+      caught.add({fmt::format("mesh node {}", point.anchor.index),
+                  fmt::format("no place that is {:g} mm from every bone", distance),
+                  "bones with room for tissue between them",
+                  "a smaller contact.distance, or mend the bones"});
+    }
+    if (x != point.anchor.X) u[at(point.anchor.index)] = x - point.anchor.X;
+  }
+  caught.move_to(problems);
+  problems.throw_if_any<DataError>();
+  return u;
+}
+
+ContactTerms add_contacts(mechanics::Model& model, const anatomy::FaceAnatomy& face,
+                          const SettledJaw* settled, const ContactChoice& choice,
+                          const std::set<Index>& left_out) {
+  const mechanics::ContactSettings settings{.d_hat = choice.distance,
+                                            .stiffness = choice.stiffness};
+  ContactTerms terms;
+  std::vector<BoneObstacle> obstacles = bone_obstacles(face, settled, choice);
+  if (!obstacles.empty()) {
+    const Points points = inner_points(face, left_out);
+    terms.start = resolve_overlaps(face, points, obstacles, choice.distance);
+    for (BoneObstacle& obstacle : obstacles) {
+      terms.contacts.push_back(&model.add(std::make_unique<mechanics::Contact>(
+          model, points, std::move(obstacle.surface), settings)));
     }
   }
-  return u;
+  if (choice.lips && face.mesh.face_sets().contains("mouth"))
+    terms.contacts.push_back(&model.add(lip_contact(model, face.mesh, settings)));
+  return terms;
 }
 
 }  // namespace facies::scenario

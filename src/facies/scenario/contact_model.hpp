@@ -21,9 +21,10 @@ struct BoneObstacle {
   bool pushes_out = true;
 };
 
-/// The bones that tissue may meet: those of the jaw's surfaces "jaw" and "maxilla", and where the face says that its inner
-/// surface lies on bone which is not given (face set "on_bone"), that surface itself, `distance` below it. Throws DataError
-/// for surfaces that cannot be used: open or inside out where they must be closed, far from the face.
+/// The bones that tissue may meet: where the choice says so those of the jaw's surfaces "jaw" and "maxilla", and where the
+/// face says that its inner surface lies on bone which is not given (face set "on_bone"), that surface itself, `distance`
+/// below it. `settled` is null where the model has no jaw. Throws DataError for files that cannot be used
+/// (read_bone_surface).
 [[nodiscard]] std::vector<BoneObstacle> bone_obstacles(const anatomy::FaceAnatomy& face,
                                                        const SettledJaw* settled,
                                                        const ContactChoice& choice);
@@ -33,9 +34,23 @@ struct BoneObstacle {
                                                                 const std::set<Index>& left_out);
 
 /// How far each node has to go so that no contact point begins inside a bone or nearer to one than `distance` [n_nodes] [mm].
+/// Throws DataError for a bone that no point is near to, that has most points around it on its inner side, or that
+/// leaves a point no place between itself and another.
 [[nodiscard]] std::vector<Vec3> resolve_overlaps(const anatomy::FaceAnatomy& face,
                                                  const std::vector<mechanics::ContactPoint>& points,
                                                  const std::vector<BoneObstacle>& obstacles,
                                                  double distance);
+
+/// Contacts that have been added to a model.
+struct ContactTerms {
+  std::vector<const mechanics::Contact*> contacts;
+  std::vector<Vec3> start;  ///< resolve_overlaps; empty where no bone can be met
+};
+
+/// Adds what the choice asks for: tissue against bones, where nodes of `left_out` (held, or tied to the jaw) take no part,
+/// and the face set "mouth" against itself. Throws as bone_obstacles and resolve_overlaps.
+ContactTerms add_contacts(mechanics::Model& model, const anatomy::FaceAnatomy& face,
+                          const SettledJaw* settled, const ContactChoice& choice,
+                          const std::set<Index>& left_out);
 
 }  // namespace facies::scenario

@@ -89,6 +89,17 @@ void check_name(const Scenario& scenario, Problems& problems) {
                 "a name of at most 100 letters without '/' and not beginning with '.'", ""});
 }
 
+/// Muscles do not open a jaw that is held.
+void check_jaw(const Scenario& scenario, Problems& problems) {
+  if (scenario.jaw == "free") return;
+  for (std::size_t i = 0; i < scenario.steps.size(); ++i) {
+    if (!std::holds_alternative<OpenJawStep>(scenario.steps[i])) continue;
+    problems.add({where_of(scenario, fmt::format("steps.{}.open_jaw", i + 1)),
+                  "the step open_jaw where the jaw is held", "a jaw that can move",
+                  "say 'jaw: free' in the scenario, or --set jaw=free"});
+  }
+}
+
 void read_root(const YamlNode& root, Scenario& scenario, Problems& problems) {
   read_fields(root, "", scenario, problems);
   for (const Section& section : sections()) {
@@ -99,8 +110,10 @@ void read_root(const YamlNode& root, Scenario& scenario, Problems& problems) {
   if (const YamlEntry* steps = root.find("steps")) {
     read_steps(steps->value, scenario, problems);
   } else {
-    problems.add({root.where, "no steps", "steps: a list of tension, release, express", ""});
+    problems.add(
+        {root.where, "no steps", "steps: a list of tension, release, express, open_jaw", ""});
   }
+  check_jaw(scenario, problems);
   check_name(scenario, problems);
 }
 
