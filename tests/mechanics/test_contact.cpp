@@ -222,10 +222,10 @@ TEST(Contact, IsNotFeltByAPointThatBelongsToTheTriangle) {
   EXPECT_EQ(contact.report(model.initial_state()).n_points, 0);
 }
 
-/// A strip of skin, a row of squares of 0.3 mm, rolled to this radius; every vertex is a point as well.
+/// A strip of skin, a row of squares of 0.4 mm, rolled to this radius; every vertex is a point as well.
 ContactReport report_of_rolled_strip(double radius) {
   constexpr Index n = 20;
-  constexpr double size = 0.3;
+  constexpr double size = 0.4;
   ContactSurface surface{"skin", {}, {}};
   std::vector<ContactPoint> points;
   for (Index i = 0; i <= n; ++i) {
@@ -252,7 +252,7 @@ TEST(Contact, IsNotFeltByAPointFromItsOwnSurroundings) {
 }
 
 TEST(Contact, IsFeltWhereASurfaceComesRoundToItself) {
-  const double full_turn = 0.3 * 20 / (2.0 * std::numbers::pi);
+  const double full_turn = 0.4 * 20 / (2.0 * std::numbers::pi);
   EXPECT_GT(report_of_rolled_strip(1.05 * full_turn).largest_pressure, 0.0);
 }
 

@@ -31,6 +31,16 @@ Vec3 place_of(const Model& model, const State& state, const Anchor& anchor) {
   return place_of(model.bodies()[at(anchor.index)], state.bodies[at(anchor.index)], anchor.X);
 }
 
+Vec3 way_of(const Model& model, const State& state, const Anchor& anchor,
+            std::span<const double> increments) {
+  if (anchor.kind == Anchor::Kind::space) return Vec3::Zero();
+  const double* first = increments.data() + first_dof(model, anchor);
+  Vec3 way = Eigen::Map<const Vec3>(first);
+  if (anchor.kind == Anchor::Kind::body)
+    way += Eigen::Map<const Vec3>(first + 3).cross(lever(model, state, anchor));
+  return way;
+}
+
 void add_gradient(const Model& model, const State& state, const Anchor& anchor, const Vec3& dE_dx,
                   std::span<double> r) {
   if (anchor.kind == Anchor::Kind::space) return;

@@ -27,6 +27,10 @@ struct Anchor {
 /// Where the anchor is now [mm].
 [[nodiscard]] Vec3 place_of(const Model& model, const State& state, const Anchor& anchor);
 
+/// How far these increments of the unknowns [n_dofs] take the anchor in first order [mm].
+[[nodiscard]] Vec3 way_of(const Model& model, const State& state, const Anchor& anchor,
+                          std::span<const double> increments);
+
 /// Adds the residual of an energy whose derivative by the anchor's place is `dE_dx` [mN] to r [n_dofs].
 void add_gradient(const Model& model, const State& state, const Anchor& anchor, const Vec3& dE_dx,
                   std::span<double> r);

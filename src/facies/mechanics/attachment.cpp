@@ -27,6 +27,19 @@ bool Attachment::add_residual(const State& state, const Controls& /*controls*/, 
   return true;
 }
 
+void Attachment::bend(const State& from, std::span<double> increments) const {
+  const State to = model_.moved(from, increments, 1.0);
+  for (const Tie& tie : ties_) {
+    const Vec3 meant = gap(from, tie) + way_of(model_, from, tie.a, increments) -
+                       way_of(model_, from, tie.b, increments);
+    const Vec3 missing = meant - gap(to, tie);
+    if (tie.a.kind == Anchor::Kind::node)
+      Eigen::Map<Vec3>(increments.data() + dof(tie.a.index, 0)) += missing;
+    else if (tie.b.kind == Anchor::Kind::node)
+      Eigen::Map<Vec3>(increments.data() + dof(tie.b.index, 0)) -= missing;
+  }
+}
+
 void Attachment::list_stencils(const State& /*state*/, Stencils& stencils) const {
   for (const Tie& tie : ties_)
     stencils.push_back(dofs_of(model_, std::array{tie.a, tie.b}));

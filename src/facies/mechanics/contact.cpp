@@ -21,8 +21,13 @@ namespace {
 /// No point comes nearer in one step than this part of its distance.
 constexpr double kept_fraction = 0.1;
 
-/// A point that may hit something goes no farther in one step than this [mm]: what it may hit would be too much to look at.
-constexpr double longest_way = 3.0;
+/// A point that may hit something goes no farther with respect to it in one step than this [mm]: what it may hit would be
+/// too much to look at.
+constexpr double longest_way = 6.0;
+
+/// A point that is bent away from a bone keeps this part of d_hat from it, or of its distance where that is less.
+constexpr double kept_gap = 0.6;
+constexpr double kept_part = 0.5;
 
 /// A trial state with anything beyond this has gone astray [mm].
 constexpr double farthest = 1e9;
@@ -56,25 +61,29 @@ Contact::Contact(const Model& model, std::vector<ContactPoint> points, ContactSu
 }
 
 void Contact::list_parts() {
-  std::map<std::pair<Index, Index>, int> edges;
+  std::map<std::pair<Index, Index>, std::vector<Index>>
+      edges;  // with the vertices of their triangles
+  std::map<Index, std::vector<Index>> vertices;
   for (const std::array<Index, 3>& triangle : surface_.triangles) {
-    parts_.push_back({triangle, 1.0});
-    for (std::size_t k = 0; k < 3; ++k)
-      ++edges[std::minmax(triangle[k], triangle[(k + 1) % 3])];
-  }
-  std::set<Index> inside;
-  for (const std::array<Index, 3>& triangle : surface_.triangles)
-    inside.insert(triangle.begin(), triangle.end());
-  for (const auto& [edge, n_triangles] : edges) {
-    if (n_triangles > 1) {
-      parts_.push_back({{edge.first, edge.second, edge.second}, -1.0});
-    } else {
-      inside.erase(edge.first);
-      inside.erase(edge.second);
+    parts_.push_back({triangle, 1.0, {triangle.begin(), triangle.end()}});
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::vector<Index>& beside = edges[std::minmax(triangle[k], triangle[(k + 1) % 3])];
+      beside.insert(beside.end(), triangle.begin(), triangle.end());
+      std::vector<Index>& around = vertices[triangle[k]];
+      around.insert(around.end(), triangle.begin(), triangle.end());
     }
   }
-  for (const Index vertex : inside)
-    parts_.push_back({{vertex, vertex, vertex}, 1.0});
+  for (const auto& [edge, beside] : edges) {
+    const bool on_border = beside.size() == 3;
+    if (on_border) {
+      vertices.erase(edge.first);
+      vertices.erase(edge.second);
+    } else {
+      parts_.push_back({{edge.first, edge.second, edge.second}, -1.0, beside});
+    }
+  }
+  for (const auto& [vertex, around] : vertices)
+    parts_.push_back({{vertex, vertex, vertex}, 1.0, around});
   for (const Part& part : parts_)
     corners_.push_back(part.corners);
 }
@@ -146,10 +155,11 @@ std::vector<Contact::Pair> Contact::pairs(const State& state, double distance) c
 }
 
 bool Contact::is_own(std::size_t point, Index part) const {
-  const std::vector<Index>& around = surroundings_[point];
-  const std::array<Index, 3>& corners = corners_[at(part)];
-  return std::any_of(corners.begin(), corners.end(), [&](Index corner) {
-    return std::binary_search(around.begin(), around.end(), corner);
+  const std::vector<Index>& own = surroundings_[point];
+  if (own.empty()) return false;
+  const std::vector<Index>& around = parts_[at(part)].around;
+  return std::any_of(around.begin(), around.end(), [&](Index vertex) {
+    return std::binary_search(own.begin(), own.end(), vertex);
   });
 }
 
@@ -217,13 +227,25 @@ bool Contact::add_residual(const State& state, const Controls& /*controls*/, std
   return true;
 }
 
-/// How much of its way point `p` can go; `surface_way` is the farthest that a vertex of the surface goes [mm].
-double Contact::safe_part(const Geometry& from, const Geometry& to, std::size_t p,
-                          double surface_way) const {
+/// The farthest that a point goes with respect to any vertex of the surface [mm].
+double Contact::relative_way(const Geometry& from, const Geometry& to, std::size_t p) const {
   const Vec3 way = to.points[p] - from.points[p];
-  const double reach = way.norm() + surface_way;
+  if (is_rigid()) return way.norm();
+  double most = 0.0;
+  for (std::size_t v = 0; v < from.vertices.size(); ++v) {
+    const double relative = (way - (to.vertices[v] - from.vertices[v])).norm();
+    if (!(relative < farthest)) return relative;  // not a number, or as good as none
+    most = std::max(most, relative);
+  }
+  return most;
+}
+
+/// How much of its way point `p` can go.
+double Contact::safe_part(const Geometry& from, const Geometry& to, std::size_t p) const {
+  const double reach = relative_way(from, to, p);
   if (reach == 0.0) return 1.0;
   if (!(reach < farthest)) return 0.0;
+  const Vec3 way = to.points[p] - from.points[p];
   std::vector<Index> near;
   const double looked_at = std::min(1.0, longest_way / reach);
   from.nearest->within(from.points[p], looked_at * reach, near);
@@ -249,25 +271,81 @@ double Contact::safe_part(const Geometry& from, const Geometry& to, std::size_t 
   return safe;
 }
 
+/// The way of a point, turned so that it comes no nearer to any part that it would run into than it may in one step.
+Vec3 Contact::way_around(const Geometry& from, std::size_t p, const Vec3& way) const {
+  const Vec3& x = from.points[p];
+  std::vector<Index> near;
+  from.nearest->within(x, way.norm() + kept_gap * settings_.d_hat, near);
+  Vec3 allowed = way;
+  constexpr int sweeps = 3;  // what one part allows another may not
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (const Index part : near) {
+      const std::array<Index, 3>& corners = corners_[at(part)];
+      const ClosestOnTriangle closest =
+          closest_on_triangle(x, from.vertices[at(corners[0])], from.vertices[at(corners[1])],
+                              from.vertices[at(corners[2])]);
+      const double distance = std::sqrt(closest.distance_squared);
+      const Vec3 outwards = closest.offset / distance;
+      const double kept = std::min(kept_gap * settings_.d_hat, kept_part * distance);
+      const double too_far = kept - distance - outwards.dot(allowed);
+      if (too_far > 0.0) allowed += too_far * outwards;
+    }
+  }
+  return allowed;
+}
+
+void Contact::bend(const State& from, std::span<double> increments) const {
+  if (!is_rigid()) return;
+  const State to = model_.moved(from, increments, 1.0);
+  const std::optional<Geometry> before = geometry(from);
+  const std::optional<Geometry> after = geometry(to);
+  if (!before || !after) return;
+  const Anchor& first = surface_.vertices.front();
+  const Mat3 R = first.kind == Anchor::Kind::body ? to.bodies[at(first.index)].R : Mat3::Identity();
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    const Anchor& anchor = points_[p].anchor;
+    if (anchor.kind != Anchor::Kind::node) continue;
+    const Vec3 way = after->points[p] - before->points[p];
+    if (safe_part(*before, *after, p) == 1.0) continue;
+    const Vec3 change = R * (way_around(*before, p, way) - way);
+    Eigen::Map<Vec3>(increments.data() + dof(anchor.index, 0)) += change;
+  }
+}
+
 double Contact::longest_step(const State& from, const State& to) const {
   const std::optional<Geometry> here = geometry(from);
   require(here.has_value(), "steps begin at states that have an energy");
   const Geometry& before = *here;
   const Geometry after = places(to);
-  double surface_way = 0.0;
-  for (std::size_t v = 0; v < before.vertices.size(); ++v)
-    surface_way = std::max(surface_way, (after.vertices[v] - before.vertices[v]).norm());
   double step = 1.0;
   for (std::size_t p = 0; p < points_.size(); ++p)
-    step = std::min(step, safe_part(before, after, p, surface_way));
+    step = std::min(step, safe_part(before, after, p));
   return step;
 }
 
-/// Groups of unknowns: over a bone one per point, since all parts of a bone hang on the same; else one per pair.
-void Contact::push_groups(const std::vector<Pair>& pairs, Stencils& stencils) const {
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const bool same_group = is_rigid() && k > 0 && pairs[k].point == pairs[k - 1].point;
-    if (!same_group) stencils.push_back(dofs_of(model_, anchors_of(pairs[k])));
+/// The point that a run of pairs begins with, and the vertices of all its parts, each once.
+Contact::Group Contact::group_of(std::span<const Pair> pairs) const {
+  const std::size_t point = pairs.front().point;
+  Group group;
+  while (group.n_pairs < pairs.size() && pairs[group.n_pairs].point == point) {
+    const std::array<Index, 3>& corners = corners_[at(pairs[group.n_pairs].part)];
+    group.vertices.insert(group.vertices.end(), corners.begin(), corners.end());
+    ++group.n_pairs;
+  }
+  std::sort(group.vertices.begin(), group.vertices.end());
+  group.vertices.erase(std::unique(group.vertices.begin(), group.vertices.end()),
+                       group.vertices.end());
+  group.anchors.push_back(points_[point].anchor);
+  for (const Index vertex : group.vertices)
+    group.anchors.push_back(surface_.vertices[at(vertex)]);
+  return group;
+}
+
+void Contact::push_groups(std::span<const Pair> pairs, Stencils& stencils) const {
+  while (!pairs.empty()) {
+    const Group group = group_of(pairs);
+    stencils.push_back(dofs_of(model_, group.anchors));
+    pairs = pairs.subspan(group.n_pairs);
   }
 }
 
@@ -279,27 +357,48 @@ void Contact::likely_stencils(const State& state, Stencils& stencils) const {
   push_groups(pairs(state, settings_.reach), stencils);
 }
 
-Eigen::MatrixXd Contact::pair_tangent(const State& state, const Pair& pair) const {
-  const std::optional<Touch> near = touch(state, pair);
-  require(near.has_value(), "tangents are wanted at admissible states");
-  const DistanceResponse& d = near->distance;
-  const Eigen::VectorXd gradient = weight(pair) * near->barrier.db_dd * d.gradient;
-  const Eigen::MatrixXd hessian =
-      weight(pair) * (near->barrier.d2b_dd2 * d.gradient * d.gradient.transpose() +
-                      near->barrier.db_dd * d.hessian);
-  return pull_back(model_, state, near->anchors, gradient, hessian);
+/// Derivatives by the places of the group's anchors, summed over its pairs: the sum is what has a sign, edges take back
+/// what triangles give twice.
+Eigen::MatrixXd Contact::group_tangent(const State& state, const Group& group,
+                                       std::span<const Pair> pairs) const {
+  const auto n = static_cast<Eigen::Index>(3 * group.anchors.size());
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(n);
+  Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(n, n);
+  for (const Pair& pair : pairs.first(group.n_pairs)) {
+    const std::optional<Touch> near = touch(state, pair);
+    require(near.has_value(), "tangents are wanted at admissible states");
+    const DistanceResponse& d = near->distance;
+    const double dE = weight(pair) * near->barrier.db_dd;
+    const double d2E = weight(pair) * near->barrier.d2b_dd2;
+    const auto place =
+        [&](std::size_t k) -> Eigen::Index {  // of the pair's k-th place in the group
+      if (k == 0) return 0;
+      const Index vertex = corners_[at(pair.part)][k - 1];
+      const auto found = std::lower_bound(group.vertices.begin(), group.vertices.end(), vertex);
+      return 3 * (1 + (found - group.vertices.begin()));
+    };
+    for (std::size_t a = 0; a < 4; ++a) {
+      const auto row = static_cast<Eigen::Index>(3 * a);
+      gradient.segment<3>(place(a)) += dE * d.gradient.segment<3>(row);
+      for (std::size_t b = 0; b < 4; ++b) {
+        const auto column = static_cast<Eigen::Index>(3 * b);
+        hessian.block<3, 3>(place(a), place(b)) +=
+            d2E * d.gradient.segment<3>(row) * d.gradient.segment<3>(column).transpose() +
+            dE * d.hessian.block<3, 3>(row, column);
+      }
+    }
+  }
+  return pull_back(model_, state, group.anchors, gradient, hessian);
 }
 
 void Contact::add_tangent(const State& state, const Controls& /*controls*/, TangentSink& K) const {
   const std::vector<Pair> near = pairs(state, settings_.d_hat);
-  std::size_t group = 0;
-  for (std::size_t k = 0; k < near.size();) {
-    Eigen::MatrixXd block = pair_tangent(state, near[k]);
-    // Summed here, not in the matrix: the sum is what has a sign, edges take back what triangles give twice.
-    const std::size_t point = near[k].point;
-    for (++k; is_rigid() && k < near.size() && near[k].point == point; ++k)
-      block += pair_tangent(state, near[k]);
-    K.add(group++, {block.data(), static_cast<std::size_t>(block.size())});
+  std::span<const Pair> left = near;
+  for (std::size_t number = 0; !left.empty(); ++number) {
+    const Group group = group_of(left);
+    const Eigen::MatrixXd block = group_tangent(state, group, left);
+    K.add(number, {block.data(), static_cast<std::size_t>(block.size())});
+    left = left.subspan(group.n_pairs);
   }
 }
 

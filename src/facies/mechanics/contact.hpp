@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -51,8 +52,9 @@ struct ContactReport {
 /// (li2023). E is infinite where a point touches, so none ever passes: longest_step() ends a step before (additive
 /// continuous collision detection, Li et al. 2021).
 ///
-/// A point that is a vertex of the surface does not feel its surroundings there: parts with a vertex that is the point or
-/// shares a triangle with it. They are near without being in its way, and the elements below keep them apart.
+/// A point that is a vertex of the surface does not feel its surroundings there: triangles with a vertex that is the point
+/// or shares a triangle with it, and edges and vertices of such triangles, so that what is left is a surface with a
+/// border. They are near without being in its way, and the elements below keep them apart.
 class Contact final : public Term {
  public:
   /// The model must outlive the term. Throws BugError for a surface that is neither bone nor tissue.
@@ -64,6 +66,8 @@ class Contact final : public Term {
   [[nodiscard]] bool add_residual(const State& state, const Controls& controls, std::span<double> r,
                                   Inadmissible* why) const override;
   [[nodiscard]] double longest_step(const State& from, const State& to) const override;
+  /// Nodes on their way into a bone stop before it, or go along with it where it comes towards them.
+  void bend(const State& from, std::span<double> increments) const override;
   void list_stencils(const State& state, Stencils& stencils) const override;
   [[nodiscard]] bool couplings_change() const override { return true; }
   void likely_stencils(const State& state, Stencils& stencils) const override;
@@ -77,6 +81,7 @@ class Contact final : public Term {
   struct Part {
     std::array<Index, 3> corners{};
     double sign = 1.0;
+    std::vector<Index> around;  // vertices of the triangles that it belongs to
   };
   struct Pair {
     std::size_t point = 0;
@@ -87,6 +92,12 @@ class Contact final : public Term {
     std::array<Anchor, 4> anchors;
     DistanceResponse distance;
     BarrierResponse barrier;
+  };
+  /// What one point feels: its pairs hang on the same few unknowns.
+  struct Group {
+    std::size_t n_pairs = 0;
+    std::vector<Index> vertices;  // ascending
+    std::vector<Anchor> anchors;  // the point, then the vertices
   };
   struct Geometry;
 
@@ -101,10 +112,14 @@ class Contact final : public Term {
   [[nodiscard]] double weight(const Pair& pair) const;
   void list_parts();
   void list_surroundings();
-  void push_groups(const std::vector<Pair>& pairs, Stencils& stencils) const;
-  [[nodiscard]] Eigen::MatrixXd pair_tangent(const State& state, const Pair& pair) const;
-  [[nodiscard]] double safe_part(const Geometry& from, const Geometry& to, std::size_t point,
-                                 double surface_way) const;
+  [[nodiscard]] Group group_of(std::span<const Pair> pairs) const;
+  void push_groups(std::span<const Pair> pairs, Stencils& stencils) const;
+  [[nodiscard]] Eigen::MatrixXd group_tangent(const State& state, const Group& group,
+                                              std::span<const Pair> pairs) const;
+  [[nodiscard]] double relative_way(const Geometry& from, const Geometry& to,
+                                    std::size_t point) const;
+  [[nodiscard]] double safe_part(const Geometry& from, const Geometry& to, std::size_t point) const;
+  [[nodiscard]] Vec3 way_around(const Geometry& from, std::size_t point, const Vec3& way) const;
 
   const Model& model_;
   std::vector<ContactPoint> points_;

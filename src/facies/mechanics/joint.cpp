@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "facies/mechanics/joint.hpp"
 
+#include <algorithm>
+
+#include <Eigen/QR>
+
 #include "facies/math/smooth_ramp.hpp"
 
 namespace facies::mechanics {
@@ -43,6 +47,40 @@ bool Guides::add_residual(const State& state, const Controls& /*controls*/, std:
   for (std::size_t g = 0; g < guides_.size(); ++g)
     add_gradient(model_, state, guides_[g].anchor, -reaction(state, g), r);
   return true;
+}
+
+/// By Newton's method on the distances that the straight step means, with corrections of the bodies as small as can be.
+void Guides::bend(const State& from, std::span<double> increments) const {
+  const auto n = static_cast<Eigen::Index>(guides_.size());
+  const auto n_body_dofs = static_cast<Eigen::Index>(dofs_of_body * model_.bodies().size());
+  if (n == 0 || n_body_dofs == 0) return;
+  const std::size_t first = 3 * model_.n_nodes();
+  Eigen::Map<Eigen::VectorXd> bodies(increments.data() + first, n_body_dofs);
+  Eigen::VectorXd meant(n);
+  for (std::size_t g = 0; g < guides_.size(); ++g) {
+    const SurfaceView seen = view(from, g);
+    meant(static_cast<Eigen::Index>(g)) =
+        seen.distance + seen.normal.dot(way_of(model_, from, guides_[g].anchor, increments));
+  }
+  constexpr int corrections = 3;
+  for (int correction = 0; correction < corrections; ++correction) {
+    const State to = model_.moved(from, increments, 1.0);
+    Eigen::VectorXd missing(n);
+    Eigen::MatrixXd gradients = Eigen::MatrixXd::Zero(n, n_body_dofs);
+    std::vector<double> gradient(model_.n_dofs());
+    for (std::size_t g = 0; g < guides_.size(); ++g) {
+      const auto row = static_cast<Eigen::Index>(g);
+      const SurfaceView seen = view(to, g);
+      missing(row) = meant(row) - seen.distance;
+      std::fill(gradient.begin() + static_cast<std::ptrdiff_t>(first), gradient.end(), 0.0);
+      add_gradient(model_, to, guides_[g].anchor, seen.normal, gradient);
+      gradients.row(row) =
+          Eigen::Map<const Eigen::RowVectorXd>(gradient.data() + first, n_body_dofs);
+    }
+    const Eigen::VectorXd more = gradients.completeOrthogonalDecomposition().solve(missing);
+    if (!more.allFinite()) return;
+    bodies += more;
+  }
 }
 
 void Guides::list_stencils(const State& /*state*/, Stencils& stencils) const {

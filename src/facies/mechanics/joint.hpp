@@ -31,6 +31,8 @@ class Guides final : public Term {
   [[nodiscard]] double energy(const State& state, const Controls& controls) const override;
   [[nodiscard]] bool add_residual(const State& state, const Controls& controls, std::span<double> r,
                                   Inadmissible* why) const override;
+  /// Points follow their surfaces where these curve.
+  void bend(const State& from, std::span<double> increments) const override;
   void list_stencils(const State& state, Stencils& stencils) const override;
   void add_tangent(const State& state, const Controls& controls, TangentSink& K) const override;
 

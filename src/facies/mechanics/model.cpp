@@ -41,6 +41,16 @@ State Model::moved(const State& state, std::span<const double> increments, doubl
   return after;
 }
 
+std::vector<double> Model::bent(const State& state, std::span<const double> increments,
+                                double ratio) const {
+  std::vector<double> step(increments.begin(), increments.end());
+  for (double& increment : step)
+    increment *= ratio;
+  for (const auto& term : terms_)
+    term->bend(state, step);
+  return step;
+}
+
 double Model::value_of(const State& state, Index dof) const {
   return at(dof) < 3 * n_nodes_ ? state.u[at(dof / 3)](dof % 3) : 0.0;
 }

@@ -43,6 +43,10 @@ class Model {
   [[nodiscard]] State moved(const State& state, std::span<const double> increments,
                             double ratio) const;
 
+  /// `ratio` times these increments [n_dofs] [mm], bent by all terms in their order.
+  [[nodiscard]] std::vector<double> bent(const State& state, std::span<const double> increments,
+                                         double ratio) const;
+
   /// What is held or led has this value [mm]: a node's displacement; 0 for a body.
   [[nodiscard]] double value_of(const State& state, Index dof) const;
 

@@ -82,6 +82,10 @@ class Term {
     return 1.0;
   }
 
+  /// Bends a step that is about to be tried: changes increments [n_dofs] [mm] in second order only, or so that what would
+  /// run into something stops before it. Newton's steps are straight, what stiff parts allow is not.
+  virtual void bend(const State& /*from*/, std::span<double> /*increments*/) const {}
+
   /// The groups that add_tangent fills, in its numbering. Fixed for the life of the term, unless couplings_change().
   virtual void list_stencils(const State& /*state*/, Stencils& /*stencils*/) const {}
 

@@ -61,10 +61,20 @@ class PositiveSink final : public mechanics::TangentSink {
       : stencils_(stencils), positivity_(positivity), next_(next) {}
 
   void add(std::size_t stencil, std::span<const double> block) override {
-    // An element's matrix at most: fixed storage keeps the eigenvalue solver off the heap.
-    using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 24, 24>;
+    // Fixed storage keeps the eigenvalue solver off the heap for all but the largest contacts.
+    constexpr Eigen::Index of_an_element = 24;
+    if (stencils_[stencil].size() <= of_an_element) {
+      add_positive<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                                 of_an_element, of_an_element>>(stencil, block);
+    } else {
+      add_positive<Eigen::MatrixXd>(stencil, block);
+    }
+  }
+
+ private:
+  template <class Block>
+  void add_positive(std::size_t stencil, std::span<const double> block) {
     const auto n = static_cast<Eigen::Index>(stencils_[stencil].size());
-    require(n <= 24, "blocks of more than 24 unknowns cannot be made positive");
     const Eigen::SelfAdjointEigenSolver<Block> modes(
         Eigen::Map<const Eigen::MatrixXd>(block.data(), n, n));
     if (modes.eigenvalues()(0) >= 0.0) {
@@ -78,7 +88,6 @@ class PositiveSink final : public mechanics::TangentSink {
     next_.add(stencil, {changed.data(), block.size()});
   }
 
- private:
   const mechanics::Stencils& stencils_;
   double positivity_;
   mechanics::TangentSink& next_;

@@ -18,8 +18,12 @@ constexpr double first_shift = 0.01;
 constexpr double grow = 8.0;
 constexpr double largest_shift = 1e4;
 constexpr double smallest_positivity = 1.0 / 64.0;
+constexpr int patience_with_positivity = 3;
 constexpr double smallest_step = 1.0 / 65536.0;
-constexpr double sufficient = 1e-4;    // part of the expected decrease of energy that is enough
+constexpr double energy_rounding = 1e-10;  // relative
+constexpr double sufficient = 1e-4;        // part of the expected decrease of energy that is enough
+constexpr double almost_all =
+    0.999;  // of a way that was found free, so that rounding does not block it
 constexpr double accepted_work = 0.9;  // part of the starting work that may remain after a step
 // Iterations in a row that may pass through states with an overgrown element. Where one heals, it does so in a few; where
 // the tissue tears, more only stretch it to infinity.
@@ -45,7 +49,14 @@ struct Equilibrium::Work {
   std::vector<double> increment;  // [n_dofs] the step and the moves
   bool moving = false;            // some prescribed unknown still has to move
   double positivity = 1.0;        // to be tried next where K is indefinite
+  int times_at_once = 0;          // that it did, in a row
   int overgrown = 0;              // states in a row with an overgrown element
+};
+
+/// What a step starts from.
+struct Equilibrium::Descent {
+  double energy = 0.0;  // [uJ]
+  double work = 0.0;    // minus the slope of the energy along the whole step [uJ]
 };
 
 Equilibrium::Equilibrium(const mechanics::Model& model, std::vector<Index> prescribed)
@@ -101,6 +112,15 @@ bool Equilibrium::factorise(Work& work, const mechanics::State& state,
   return factor_->factorise(work.values) == 0;
 }
 
+/// What did several times at once may be more than it takes; what did not is what it takes.
+void Equilibrium::learn_positivity(Work& work, double positivity, bool at_once) {
+  work.positivity = positivity;
+  work.times_at_once = at_once ? work.times_at_once + 1 : 0;
+  if (work.times_at_once < patience_with_positivity) return;
+  work.positivity = std::max(smallest_positivity, 0.5 * positivity);
+  work.times_at_once = 0;
+}
+
 /// A step from K itself where that is wanted and positive definite. Else from K with the negative eigenvalues of its blocks
 /// made smaller, by as little as it takes: near a saddle that leads away from it fast. Where even blocks without any
 /// lead nowhere, with a growing diagonal: shorter and shorter steps down the gradient.
@@ -120,10 +140,7 @@ bool Equilibrium::take_step(Work& work, mechanics::State& state,
     }
     if (iteration.step_length > 0.0) {
       iteration.exact = positivity == 0.0;
-      // What did at once may be more than it takes; what did not is what it takes.
-      const bool at_once = positivity == first;
-      if (!iteration.exact)
-        work.positivity = at_once ? std::max(smallest_positivity, 0.5 * positivity) : positivity;
+      if (!iteration.exact) learn_positivity(work, positivity, positivity == first);
       return true;
     }
     if (positivity == 1.0) {
@@ -137,43 +154,58 @@ bool Equilibrium::take_step(Work& work, mechanics::State& state,
   return false;
 }
 
+/// The work of r along increments of the free unknowns [uJ].
 double Equilibrium::work_of_free(std::span<const double> r,
-                                 std::span<const double> direction) const {
-  const std::vector<Index>& dofs = assembly_.equations().dof_of_equation;
+                                 std::span<const double> increments) const {
   double sum = 0.0;
-  for (std::size_t k = 0; k < dofs.size(); ++k)
-    sum += r[at(dofs[k])] * direction[k];
+  for (const Index dof : assembly_.equations().dof_of_equation)
+    sum += r[at(dof)] * increments[at(dof)];
   return sum;
 }
 
-/// Longest part of the Newton step that leads to an admissible state nearer to equilibrium: the residual's work along the
-/// step fell, or the energy did. (Near equilibrium only the work tells: differences of energy drown in rounding.) Updates
-/// state and residual; 0 where no part will do.
+/// Whether a trial is nearer to equilibrium: its energy is lower by a sufficient part of what the slope promised; or,
+/// where differences of energy drown in rounding, it is not higher and the residual's work along the step fell. (The work alone
+/// would let iterations go to and fro between two states on either side of a kink, as contact has.)
+bool Equilibrium::is_nearer(const Descent& before, double energy, double work, double step) const {
+  if (energy <= before.energy - sufficient * step * before.work) return true;
+  return energy <= before.energy + energy_rounding * std::abs(before.energy) &&
+         std::abs(work) <= accepted_work * before.work;
+}
+
+/// Longest part of the Newton step that leads, once bent, to an admissible state nearer to equilibrium. Updates state and
+/// residual; 0 where no part will do.
 double Equilibrium::find_step(Work& work, mechanics::State& state,
                               const mechanics::Controls& controls, NewtonReport& report) const {
-  const double work_before = std::abs(work_of_free(work.r, work.step));
-  const double energy_before = work.moving ? 0.0 : model_.energy(state, controls);
+  Descent before;
+  if (!work.moving) before.energy = model_.energy(state, controls);
   work.increment = work.moves;
   for (std::size_t k = 0; k < work.step.size(); ++k)
     work.increment[at(assembly_.equations().dof_of_equation[k])] = work.step[k];
   std::vector<double> r(work.r.size());
-  double step = model_.longest_step(state, model_.moved(state, work.increment, 1.0));
+  double step = 1.0;
   while (step >= smallest_step) {
-    mechanics::State trial = model_.moved(state, work.increment, step);
+    const std::vector<double> bent = model_.bent(state, work.increment, step);
+    mechanics::State trial = model_.moved(state, bent, 1.0);
+    const double free_way = model_.longest_step(state, trial);
+    if (free_way < 1.0) {
+      step *= std::min(free_way, almost_all);
+      continue;
+    }
     double shorten = 0.5;
     if (model_.residual(trial, controls, r, &report.inadmissible)) {
-      const double work_after = work_of_free(r, work.step);
-      const auto less_energy = [&] {
-        return model_.energy(trial, controls) <= energy_before - sufficient * step * work_before;
-      };
-      if (std::isfinite(work_after) &&
-          (work.moving || std::abs(work_after) <= accepted_work * work_before || less_energy())) {
+      before.work = -work_of_free(work.r, bent) / step;
+      const double work_after = work_of_free(r, bent) / step;
+      const bool downhill = before.work > 0.0;
+      const bool nearer =
+          work.moving ||
+          (downhill && is_nearer(before, model_.energy(trial, controls), work_after, step));
+      if (std::isfinite(work_after) && nearer) {
         state = std::move(trial);
         work.r.swap(r);
         return step;
       }
-      if (std::isfinite(work_after) && work_after > 0.0)
-        shorten = std::clamp(work_before / (work_before + work_after), 0.1, 0.5);
+      if (std::isfinite(work_after) && downhill && work_after > 0.0)
+        shorten = std::clamp(before.work / (before.work + work_after), 0.1, 0.5);
     }
     step *= shorten;
   }

@@ -57,6 +57,7 @@ class Equilibrium {
 
  private:
   struct Work;
+  struct Descent;
 
   void update_moves(Work& work, const mechanics::State& state,
                     std::span<const double> values) const;
@@ -66,13 +67,16 @@ class Equilibrium {
   [[nodiscard]] bool factorise(Work& work, const mechanics::State& state,
                                const mechanics::Controls& controls, double positivity,
                                Iteration& iteration);
+  static void learn_positivity(Work& work, double positivity, bool at_once);
   [[nodiscard]] bool take_step(Work& work, mechanics::State& state,
                                const mechanics::Controls& controls, bool exact,
                                Iteration& iteration, NewtonReport& report);
   [[nodiscard]] double find_step(Work& work, mechanics::State& state,
                                  const mechanics::Controls& controls, NewtonReport& report) const;
+  [[nodiscard]] bool is_nearer(const Descent& before, double energy, double work,
+                               double step) const;
   [[nodiscard]] double work_of_free(std::span<const double> r,
-                                    std::span<const double> direction) const;
+                                    std::span<const double> increments) const;
 
   const mechanics::Model& model_;
   std::vector<Index> prescribed_;
