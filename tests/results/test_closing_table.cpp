@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
+#include <limits>
 
 #include "results/cases.hpp"
 #include <gtest/gtest.h>
@@ -30,6 +31,21 @@ std::vector<std::string_view> row(const std::string& text, std::string_view name
     if (!fields.empty() && fields.front() == name) return fields;
   }
   return {};
+}
+
+TEST(JawLine, SetsTheOpeningBesideThePaper) {
+  const std::vector<PublishedValue> paper{
+      {"mouth-open", "incisor_distance", "incisors", 40.0, "mm", "stated", "", ""}};
+  EXPECT_THAT(row(jaw_line({41.5, {}}, paper), "incisor"),
+              ElementsAre("incisor", "distance", "[mm]", "41.50", "40", "+1.50"));
+}
+
+TEST(ContactTable, SaysHowNearAndHowHard) {
+  const std::string text =
+      contact_table({{"jaw", 12, 0.251, 14.26, {300, 0, 400}},
+                     {"lips", 0, std::numeric_limits<double>::infinity(), 0.0, Vec3::Zero()}});
+  EXPECT_THAT(row(text, "jaw"), ElementsAre("jaw", "12", "0.251", "14.3", "0.50"));
+  EXPECT_THAT(row(text, "lips"), ElementsAre("lips", "0", "-", "0.0", "0.00"));
 }
 
 TEST(LandmarkTable, SetsTheModelBesideThePaper) {

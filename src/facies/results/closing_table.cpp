@@ -2,6 +2,7 @@
 #include "facies/results/closing_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -78,10 +79,32 @@ std::string distance_table(const std::vector<PairMeasure>& pairs,
   return text;
 }
 
+std::string jaw_line(const JawMeasure& jaw, const std::vector<PublishedValue>& published) {
+  return fmt::format(
+      "{:<24} {:>12.2f} {}\n", "incisor distance [mm]", jaw.incisor_distance,
+      paper_columns(find(published, "incisor_distance", "incisors"), jaw.incisor_distance));
+}
+
+std::string contact_table(const std::vector<ContactMeasure>& contacts) {
+  std::string text = fmt::format("{:<24} {:>12} {:>12} {:>12} {:>12}\n", "contact", "points",
+                                 "nearest [mm]", "at most [kPa]", "force [N]");
+  for (const ContactMeasure& contact : contacts) {
+    const std::string nearest = std::isfinite(contact.smallest_distance)
+                                    ? fmt::format("{:.3f}", contact.smallest_distance)
+                                    : "-";
+    text +=
+        fmt::format("  {:<22} {:>12} {:>12} {:>12.1f} {:>12.2f}\n", contact.name, contact.n_points,
+                    nearest, contact.largest_pressure, contact.force.norm() / 1000.0);
+  }
+  return text;
+}
+
 std::string closing_text(const Headline& headline, const std::vector<PublishedValue>& published) {
   std::string text;
   if (!headline.landmarks.empty()) text += landmark_table(headline.landmarks, published) + '\n';
   if (!headline.pairs.empty()) text += distance_table(headline.pairs, published) + '\n';
+  if (headline.jaw) text += jaw_line(*headline.jaw, published) + '\n';
+  if (!headline.contacts.empty()) text += contact_table(headline.contacts) + '\n';
   text += fmt::format(
       "J against the stress-free state\n  smallest {:>8.4f}  at {}\n  largest  {:>8.4f}  at {}\n",
       headline.J.smallest, place_text(headline.smallest_J), headline.J.largest,

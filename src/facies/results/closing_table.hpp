@@ -16,7 +16,14 @@ namespace facies::results {
 [[nodiscard]] std::string distance_table(const std::vector<PairMeasure>& pairs,
                                          const std::vector<PublishedValue>& published);
 
-/// Both tables, extremes of J with their places, volume changes and the share of tensioned skin. `published` are the
+/// The distance of the incisors [mm] and the paper's.
+[[nodiscard]] std::string jaw_line(const JawMeasure& jaw,
+                                   const std::vector<PublishedValue>& published);
+
+/// For every surface that may be touched how many points press on it, how near, how hard.
+[[nodiscard]] std::string contact_table(const std::vector<ContactMeasure>& contacts);
+
+/// All of these, extremes of J with their places, volume changes and the share of tensioned skin. `published` are the
 /// rows about this expression; none where the face is not that of the publication.
 [[nodiscard]] std::string closing_text(const Headline& headline,
                                        const std::vector<PublishedValue>& published);

@@ -2,11 +2,13 @@
 // What a result is about, as far as results need to know it: the mesh, its layers, landmarks, muscles.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "facies/mechanics/state.hpp"
 #include "facies/mesh/mesh.hpp"
+#include "facies/results/mechanism.hpp"
 
 namespace facies::results {
 
@@ -43,6 +45,8 @@ struct Snapshot {
   mechanics::Controls controls;
   std::vector<Sym3<double>> sigma;  ///< [n_elements] Cauchy stress averaged over the element [kPa]
   std::vector<double> J;            ///< [n_elements] mean dilatation against the stress-free state
+  std::optional<JawMeasure> jaw;    ///< where the model has one
+  std::vector<ContactMeasure> contacts;
 };
 
 }  // namespace facies::results

@@ -2,6 +2,7 @@
 #include "facies/results/summary.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <nlohmann/json.hpp>
 
@@ -30,6 +31,32 @@ Json to_json(const StepTotals& totals) {
           {"factorisations", totals.factorisations}};
 }
 
+Json to_json(const JawMeasure& jaw) {
+  Json json = {{"incisor_distance_mm", jaw.incisor_distance}, {"reactions_mN", Json::object()}};
+  for (const JointReaction& reaction : jaw.reactions)
+    json["reactions_mN"][reaction.name] = to_json(reaction.force);
+  return json;
+}
+
+/// Distances that are infinite, as nothing is near, become null.
+Json to_json(const ContactMeasure& contact) {
+  Json json = {{"points", contact.n_points},
+               {"smallest_distance_mm", contact.smallest_distance},
+               {"largest_pressure_kPa", contact.largest_pressure},
+               {"force_mN", to_json(contact.force)}};
+  if (!std::isfinite(contact.smallest_distance)) json["smallest_distance_mm"] = nullptr;
+  return json;
+}
+
+Json to_json(const SettlingMeasure& settling) {
+  return {{"way_mm", settling.way},
+          {"turn_deg", settling.turn},
+          {"guide_off_path_before_mm", settling.guide_before},
+          {"guide_off_path_after_mm", settling.guide_after},
+          {"smallest_stop_distance_mm", settling.smallest_stop_distance},
+          {"incisor_distance_mm", settling.incisor_distance}};
+}
+
 Json to_json(const Headline& headline) {
   Json json = {{"step", headline.step}};
   json["landmarks"] = Json::object();
@@ -56,6 +83,9 @@ Json to_json(const Headline& headline) {
   if (headline.tension.away_from_borders) {
     json["skin_under_tension"]["share_away_from_borders"] = *headline.tension.away_from_borders;
   }
+  if (headline.jaw) json["jaw"] = to_json(*headline.jaw);
+  for (const ContactMeasure& contact : headline.contacts)
+    json["contact"][contact.name] = to_json(contact);
   return json;
 }
 
@@ -110,6 +140,8 @@ Headline make_headline(const Subject& subject, const Snapshot& snapshot,
   headline.largest_J = place_of(subject, headline.J.largest_element);
   headline.volumes = measure_volumes(subject, snapshot);
   headline.tension = measure_tension_share(subject, snapshot);
+  headline.jaw = snapshot.jaw;
+  headline.contacts = snapshot.contacts;
   return headline;
 }
 
@@ -120,6 +152,7 @@ std::string to_json(const Summary& summary) {
   json["steps"] = Json::array();
   for (const StepTotals& totals : step_totals(summary.convergence))
     json["steps"].push_back(to_json(totals));
+  if (summary.settling) json["jaw_settled"] = to_json(*summary.settling);
   json["measures"] = Json::array();
   for (const Headline& headline : summary.headlines)
     json["measures"].push_back(to_json(headline));

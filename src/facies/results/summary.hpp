@@ -40,6 +40,8 @@ struct Headline {
   Place smallest_J, largest_J;
   Volumes volumes;
   TensionShare tension;
+  std::optional<JawMeasure> jaw;
+  std::vector<ContactMeasure> contacts;
 };
 
 /// All measures of a snapshot; `rest` as in measure_landmarks.
@@ -53,6 +55,7 @@ struct Summary {
   Place where;                ///< element that stood in the way; element -1: none
   std::string settings_json;  ///< the resolved scenario as a JSON text
   std::vector<InputFile> inputs;
+  std::optional<SettlingMeasure> settling;  ///< where the model has a jaw
   std::vector<IncrementRecord> convergence;
   std::vector<Headline> headlines;  ///< at the ends of steps
   std::vector<std::pair<std::string, double>>

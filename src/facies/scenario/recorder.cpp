@@ -9,6 +9,7 @@
 #include "facies/results/folder.hpp"
 #include "facies/results/pictures.hpp"
 #include "facies/results/tables.hpp"
+#include "facies/scenario/mechanism_report.hpp"
 #include "facies/scenario/settings_json.hpp"
 #include "facies/scenario/write_scenario.hpp"
 
@@ -44,6 +45,8 @@ results::Snapshot make_snapshot(const FaceModel& model, const mechanics::State& 
     snapshot.sigma.push_back(means.sigma);
     snapshot.J.push_back(means.J);
   }
+  snapshot.jaw = measure_jaw(model, state);
+  snapshot.contacts = measure_contacts(model, state);
   return snapshot;
 }
 
@@ -95,6 +98,7 @@ Recorder::Recorder(const FaceModel& model, const Scenario& scenario, const RunOp
   summary_.version = options_.version;
   summary_.settings_json = settings_json(resolved);
   summary_.inputs = inputs_of(model, scenario);
+  summary_.settling = measure_settling(model);
   write_summary();
 }
 
