@@ -61,7 +61,7 @@ class Runs(unittest.TestCase):
         expected = {"scenario.yaml", "summary.json", "landmarks.csv", "distances.csv", "fields.pvd", "log.jsonl",
                     "convergence.txt", "fields/01-tension.vtu", "fields/02-release.vtu", "fields/03-express.vtu",
                     "figures/rest.png", "figures/tensioned-rest.png", "figures/expression.png",
-                    "figures/displacement.png"}
+                    "figures/displacement.png", "figures/01-tension-section.png", "figures/03-express-section.png"}
         self.assertLessEqual(expected, names)
         summary = json.loads((out / "summary.json").read_text())
         self.assertEqual(summary["status"], "done")

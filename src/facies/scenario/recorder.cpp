@@ -5,6 +5,7 @@
 
 #include "facies/base/checksum.hpp"
 #include "facies/base/files.hpp"
+#include "facies/results/anatomy_pictures.hpp"
 #include "facies/results/closing_table.hpp"
 #include "facies/results/folder.hpp"
 #include "facies/results/pictures.hpp"
@@ -13,6 +14,35 @@
 #include "facies/scenario/write_scenario.hpp"
 
 namespace facies::scenario {
+
+namespace {
+
+/// Bones and teeth of a face with a jaw, where they are while the jaw has not moved.
+std::vector<results::BoneShape> bone_shapes(const anatomy::Jaw& jaw, const SettledJaw& settled) {
+  Problems problems;
+  std::vector<results::BoneShape> bones;
+  for (std::size_t s = 0; s < jaw.surfaces.size(); ++s) {
+    const anatomy::BoneSurface& file = jaw.surfaces[s];
+    if (file.kind == anatomy::SurfaceKind::cast) continue;
+    results::BoneShape& bone = bones.emplace_back();
+    bone.name = file.name;
+    bone.is_solid = file.kind == anatomy::SurfaceKind::solid;
+    bone.body = file.bone == jaw.mandible ? 0 : -1;
+    bone.surface = mesh::merge_coincident_vertices(mesh::read_obj(file.file, file.scale, problems));
+    bone.is_tooth.resize(bone.surface.X.size());
+    for (std::size_t v = 0; v < bone.surface.X.size(); ++v) {
+      Vec3& X = bone.surface.X[v];
+      bone.is_tooth[v] = std::ranges::any_of(jaw.crowns, [&](const anatomy::Crowns& crowns) {
+        return at(crowns.surface) == s && crowns.holds(X);
+      });
+      X = anchor_of(jaw, settled, {file.bone, X}).X;
+    }
+  }
+  problems.throw_if_any<DataError>();
+  return bones;
+}
+
+}  // namespace
 
 results::Subject make_subject(const FaceModel& model) {
   const anatomy::FaceAnatomy& face = model.face;
@@ -32,6 +62,8 @@ results::Subject make_subject(const FaceModel& model) {
     subject.pairs.push_back({pair.a, pair.b});
   for (const anatomy::Muscle& muscle : model.muscles)
     subject.muscles.push_back({muscle.name, muscle.elements});
+  if (model.jaw) subject.bones = bone_shapes(*face.jaw, *model.jaw);
+  subject.bodies.assign(model.model.bodies().begin(), model.model.bodies().end());
   return subject;
 }
 
@@ -160,7 +192,9 @@ void Recorder::draw(int threads) {
       .subject = model_.face.source,
       .threads = threads};
   const results::Snapshot* rest = rest_ ? &snapshots_[*rest_] : nullptr;
-  results::write_pictures(subject_, rest, snapshots_.back(), options_.out / "figures", options);
+  const std::filesystem::path folder = options_.out / "figures";
+  results::write_pictures(subject_, rest, snapshots_.back(), folder, options);
+  results::write_anatomy_pictures(subject_, snapshots_, folder, options);
 }
 
 void Recorder::finish(results::Status status, const std::string& reason, Index element) {
