@@ -83,6 +83,9 @@ struct TextStyle {
   bool halo = false;  ///< white around the letters, to be read on anything
 };
 
+const TextStyle title_style{title_size, 0.1, true, false};
+const TextStyle small_print{text_size, 0.35, false, false};
+
 /// Writes on the baseline y.
 void write(cairo_t* pen, double x, double y, const std::string& text, Align align,
            const TextStyle& style) {
@@ -214,6 +217,26 @@ cairo_status_t take(void* reader, unsigned char* bytes, unsigned int n) {
   return CAIRO_STATUS_SUCCESS;
 }
 
+/// How wide text comes out.
+double text_width(const std::string& text, const TextStyle& style) {
+  const Canvas canvas = make_canvas(1, 1);
+  const Pen pen(cairo_create(canvas.get()));
+  choose_font(pen.get());
+  write(pen.get(), 0.0, 0.0, text, Align::left, style);
+  double end = 0.0;
+  cairo_get_current_point(pen.get(), &end, nullptr);
+  return end;
+}
+
+/// What stands above and below the rows: title, small print, legend.
+double head_and_foot_width(const Figure& figure) {
+  double legend = 0.0;
+  for (const LegendEntry& entry : figure.legend)
+    legend += swatch + 8.0 + text_width(entry.label, {}) + 2.0 * gap + 1.0;
+  return std::max(
+      {text_width(figure.title, title_style), text_width(figure.subtitle, small_print), legend});
+}
+
 }  // namespace
 
 std::string to_png(const Figure& figure) {
@@ -223,6 +246,7 @@ std::string to_png(const Figure& figure) {
     width = std::max(width, row_width(row));
     height += row_height(row);
   }
+  width = std::max(width, std::ceil(head_and_foot_width(figure)));
   const double head = std::round(line * (title_size + text_size) + gap);
   const double foot = figure.legend.empty() ? 0.0 : std::round(line * swatch + gap);
   const double page_width = 2.0 * margin + width + (figure.bar ? bar_column : 0.0);
@@ -232,10 +256,9 @@ std::string to_png(const Figure& figure) {
   choose_font(pen.get());
   cairo_set_source_rgb(pen.get(), 1.0, 1.0, 1.0);
   cairo_paint(pen.get());
-  write(pen.get(), margin, margin + title_size, figure.title, Align::left,
-        {title_size, 0.1, true, false});
+  write(pen.get(), margin, margin + title_size, figure.title, Align::left, title_style);
   write(pen.get(), margin, margin + line * title_size + text_size, figure.subtitle, Align::left,
-        {text_size, 0.35});
+        small_print);
 
   double y = margin + head;
   for (const auto& row : figure.rows) {

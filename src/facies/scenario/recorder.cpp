@@ -6,6 +6,7 @@
 #include "facies/base/checksum.hpp"
 #include "facies/base/files.hpp"
 #include "facies/results/anatomy_pictures.hpp"
+#include "facies/results/animation.hpp"
 #include "facies/results/closing_table.hpp"
 #include "facies/results/folder.hpp"
 #include "facies/results/pictures.hpp"
@@ -80,6 +81,9 @@ results::Snapshot make_snapshot(const FaceModel& model, const mechanics::State& 
 }
 
 namespace {
+
+/// Of each view in an animation [pixels]: such files are large.
+constexpr int film_height = 560;
 
 /// For the terminal: the landmarks of the paper and what stands beside them (PH_buried beside PH); all of a face that
 /// has none of those. The tables in the folder hold every landmark.
@@ -165,6 +169,16 @@ const mechanics::State* Recorder::rest_state() const {
   return rest_ ? &snapshots_[*rest_].state : nullptr;
 }
 
+void Recorder::frame(results::Snapshot snapshot) {
+  if (snapshot.load == 0.0) films_.emplace_back();
+  const bool is_between = snapshot.load > 0.0 && snapshot.load < 1.0;
+  if (is_between && scenario_.output.fields == "steps")
+    fields_.add_frame(snapshot, rest_state(), static_cast<int>(films_.back().size()));
+  snapshot.sigma.clear();  // an animation shows none of it
+  snapshot.J.clear();
+  films_.back().push_back(std::move(snapshot));
+}
+
 void Recorder::step_ends(results::Snapshot snapshot, bool is_rest) {
   snapshots_.push_back(std::move(snapshot));
   if (is_rest) rest_ = snapshots_.size() - 1;
@@ -187,7 +201,7 @@ void Recorder::write_summary() const {
 
 void Recorder::draw(int threads) {
   if (snapshots_.empty() || !scenario_.output.pictures || !options_.pictures) return;
-  const results::PictureOptions options{
+  results::PictureOptions options{
       .title = scenario_.title.empty() ? scenario_.name : scenario_.title,
       .subject = model_.face.source,
       .threads = threads};
@@ -195,6 +209,9 @@ void Recorder::draw(int threads) {
   const std::filesystem::path folder = options_.out / "figures";
   results::write_pictures(subject_, rest, snapshots_.back(), folder, options);
   results::write_anatomy_pictures(subject_, snapshots_, folder, options);
+  options.height = film_height;
+  for (const std::vector<results::Snapshot>& film : films_)
+    if (film.size() > 1) results::write_animation(subject_, film, folder, options);
 }
 
 void Recorder::finish(results::Status status, const std::string& reason, Index element) {
