@@ -172,7 +172,8 @@ void Shell::add_lid(std::span<const Index> hole, std::span<const Vec3> x, bool i
   for (std::size_t i = 1; i < hole.size(); ++i) {
     inward += (x[at(hole[i])] - middle).cross(x[at(hole[i - 1])] - middle);
   }
-  inward.normalize();
+  // A mouth is a slit that follows the teeth: its own normal says little.
+  inward = is_curtain ? Vec3(Vec3::UnitX()) : Vec3(inward.normalized());
   const auto add = [&](const Vec3& position) {
     surface.positions.push_back(position.cast<float>());
     surface.normals.push_back((-inward).cast<float>());
@@ -187,8 +188,8 @@ void Shell::add_lid(std::span<const Index> hole, std::span<const Vec3> x, bool i
     radius = std::max(radius, curtain_width * (x[at(node)] - middle).norm());
   const auto add_border = [&](Index node) {
     if (!is_curtain) return add(x[at(node)]);
-    const Vec3 way = x[at(node)] - middle;
-    const Vec3 aside = way - way.dot(inward) * inward;
+    Vec3 aside = x[at(node)] - middle;
+    aside.x() = 0.0;
     return add(middle + curtain_depth * inward + radius * aside.normalized());
   };
   std::uint32_t before = add_border(hole[0]);
