@@ -102,6 +102,10 @@ TEST(BadJaw, WithASurfaceThatIsNotThereNamesItsFile) {
                                      HasSubstr("the surface 'jaw' of jaw-surfaces.csv")));
   EXPECT_THAT(told_after("jaw-surfaces.csv", ",1000,", ",0,"),
               HasSubstr("0; expected more than 0"));
+  EXPECT_THAT(told_after("jaw-surfaces.csv", ",solid,", ",liquid,"),
+              HasSubstr("'liquid'; expected solid, shell or cast"));
+  EXPECT_THAT(told_after("jaw-crowns.csv", "jaw,0,0,1,", "jaw,0,0,2,"),
+              HasSubstr("a normal of length 2; expected length 1"));
 }
 
 TEST(BadJaw, WithoutItsTablesNamesAllOfThem) {

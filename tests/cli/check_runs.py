@@ -11,12 +11,14 @@ import os
 import pathlib
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
 import xml.etree.ElementTree
+import zlib
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 SLOW_FACE = "patch:ny=48,nz=48"
@@ -36,6 +38,29 @@ def without_timings(path):
 
 def files_of(folder):
     return {path.relative_to(folder): without_timings(path) for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def frames_of(png):
+    """The pixels of every frame of an animated PNG file and how long each is shown [ms]; independent of the writer."""
+    assert png.startswith(b"\x89PNG\r\n\x1a\n")
+    place, number, frames = 8, 0, []
+    while place < len(png):
+        (length,) = struct.unpack_from(">I", png, place)
+        kind, data = png[place + 4:place + 8], png[place + 8:place + 8 + length]
+        assert struct.unpack_from(">I", png, place + 8 + length) == (zlib.crc32(kind + data),)
+        place += length + 12
+        if kind == b"acTL":
+            n_frames, _ = struct.unpack(">II", data)
+        if kind in (b"fcTL", b"fdAT"):
+            assert struct.unpack_from(">I", data) == (number,)
+            number += 1
+        if kind == b"fcTL":
+            numerator, denominator = struct.unpack_from(">HH", data, 20)
+            frames.append([b"", 1000 * numerator // denominator])
+        if kind in (b"IDAT", b"fdAT"):
+            frames[-1][0] += data[4:] if kind == b"fdAT" else data
+    assert kind == b"IEND" and n_frames == len(frames)
+    return [(zlib.decompress(data), shown) for data, shown in frames]
 
 
 class Runs(unittest.TestCase):
@@ -61,13 +86,35 @@ class Runs(unittest.TestCase):
         expected = {"scenario.yaml", "summary.json", "landmarks.csv", "distances.csv", "fields.pvd", "log.jsonl",
                     "convergence.txt", "fields/01-tension.vtu", "fields/02-release.vtu", "fields/03-express.vtu",
                     "figures/rest.png", "figures/tensioned-rest.png", "figures/expression.png",
-                    "figures/displacement.png"}
+                    "figures/displacement.png", "figures/01-tension-section.png", "figures/03-express-section.png"}
         self.assertLessEqual(expected, names)
         summary = json.loads((out / "summary.json").read_text())
         self.assertEqual(summary["status"], "done")
         ((scenario, checksum),) = summary["inputs"].items()
         self.assertEqual(checksum, "sha256:" + hashlib.sha256(pathlib.Path(scenario).read_bytes()).hexdigest())
         self.assert_readable(out)
+
+    def test_frames_become_an_animation_and_field_files(self):
+        out = self.folder / "out"
+        done = facies("run", "patch-stretch", "--out", out, "--set", "output.frames=3")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assert_readable(out)
+        times = [float(entry.get("timestep")) for entry in
+                 xml.etree.ElementTree.parse(out / "fields.pvd").iter("DataSet")]
+        self.assertEqual([round(time, 9) for time in times], [1, 2, round(2 + 1 / 3, 9), round(2 + 2 / 3, 9), 3])
+        self.assertTrue((out / "fields" / "03-express-002.vtu").is_file())
+        frames = frames_of((out / "figures" / "03-express-animation.png").read_bytes())
+        self.assertEqual([shown for _, shown in frames], [1000, 500, 500, 1000])
+        self.assertEqual(len({pixels for pixels, _ in frames}), 4)
+        self.assertEqual(len({len(pixels) for pixels, _ in frames}), 1)
+
+    def test_frames_that_make_no_sense_are_refused(self):
+        for frames, expected in (("-1", "0"), ("100000", "240"), ("1.5", "whole number")):
+            done = facies("run", "patch-stretch", "--out", self.folder / "out", "--set", f"output.frames={frames}")
+            self.assertNotEqual(done.returncode, 0)
+            self.assertIn("output.frames", done.stderr)
+            self.assertIn(expected, done.stderr)
+            self.assertFalse((self.folder / "out").exists())
 
     def test_two_runs_give_the_same_bytes_for_any_number_of_threads(self):
         for name, threads in (("one", 1), ("two", 2), ("three", 3)):

@@ -86,5 +86,34 @@ TEST_F(Fields, NeedTheFolder) {
                UsageError);
 }
 
+TEST_F(Fields, OfBonesStandBesideThoseOfTissue) {
+  Subject subject = *sheet_;
+  subject.bodies = {{"jaw", Vec3::Zero(), 1.0, Mat3::Identity()}};
+  const mesh::TriangleSurface triangle{{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()},
+                                       {std::array<Index, 3>{0, 1, 2}}};
+  subject.bones = {{"jaw", true, 0, triangle, {true, true, true}},
+                   {"maxilla", true, -1, triangle, {true, false, true}}};
+  FieldWriter writer(subject, folder_);
+  Snapshot snapshot = sheet_.affine("release", 2, Mat3::Identity(), Vec3::Zero());
+  snapshot.state.bodies = {{Vec3(0.0, 0.0, 1.0), Mat3::Identity()}};
+  EXPECT_EQ(writer.add(snapshot, nullptr), "fields/01-release.vtu");
+  const std::string fixed = read_file(folder_ / "fields/bones-fixed.vtu");
+  const std::string before = read_file(folder_ / "fields/01-release-bones.vtu");
+  snapshot.step = "express";
+  snapshot.step_number = 3;
+  snapshot.load = 0.5;
+  snapshot.state.bodies[0].u.z() = 2.0;
+  EXPECT_EQ(writer.add_frame(snapshot, nullptr, 4), "fields/02-express-004.vtu");
+  EXPECT_EQ(fixed, bones_vtu(subject, snapshot.state, false));
+  EXPECT_NE(before, read_file(folder_ / "fields/02-express-004-bones.vtu"));
+  const std::string series = read_file(folder_ / "bones.pvd");
+  for (const char* line :
+       {"timestep=\"2\" group=\"\" part=\"0\" file=\"fields/bones-fixed.vtu\"",
+        "timestep=\"2\" group=\"\" part=\"1\" file=\"fields/01-release-bones.vtu\"",
+        "timestep=\"2.5\" group=\"\" part=\"0\" file=\"fields/bones-fixed.vtu\"",
+        "timestep=\"2.5\" group=\"\" part=\"1\" file=\"fields/02-express-004-bones.vtu\""})
+    EXPECT_NE(series.find(line), std::string::npos) << line;
+}
+
 }  // namespace
 }  // namespace facies::results

@@ -46,6 +46,21 @@ TEST(Figure, HasTextWhereFontsAre) {
   EXPECT_LT(count(with, 255, 255, 255), with.width * with.height);
 }
 
+TEST(Figure, SaysWhatColoursMeanAndIsWideEnoughForIt) {
+  Figure figure{"a title that is much wider than the narrow panel below it",
+                "",
+                {{{filled(40, 50, 255, 255, 255), "", {}}}},
+                0.0,
+                {}};
+  const Image without = read_png(to_png(figure), "a.png");
+  EXPECT_GT(without.width, 600);
+  figure.legend = {{{1.0F, 0.0F, 0.0F}, "red"}, {{0.0F, 0.0F, 1.0F}, "blue"}};
+  const Image with = read_png(to_png(figure), "b.png");
+  EXPECT_GT(with.height, without.height);
+  EXPECT_EQ(count(with, 255, 0, 0), 18 * 18);
+  EXPECT_EQ(count(with, 0, 0, 255), 18 * 18);
+}
+
 TEST(Figure, HasAScaleBarOfARoundLength) {
   // 0.25 mm a pixel: the longest round length of at most 240 pixels is 50 mm, 200 pixels by 4.
   const Image page =

@@ -100,6 +100,35 @@ TEST_F(Step, TellsWhichStepAndIncrementItWorksOn) {
   }
 }
 
+TEST_F(Step, StopsWhereItIsToldTo) {
+  Equilibrium equilibrium(bar_.model, clamped_.dofs);
+  StepSettings settings;
+  settings.stops = 5;
+  std::vector<double> parts;
+  const StepReport report =
+      advance(equilibrium, state_, {}, pulled(0.3), clamped_.values, settings, label_, recorder_,
+              [&](double part) {
+                parts.push_back(part);
+                EXPECT_LE(equilibrium.residual_norm(state_, pulled(part * 0.3)), 1e-6) << part;
+              });
+  EXPECT_TRUE(report.converged);
+  EXPECT_EQ(report.increments, 5);
+  EXPECT_EQ(parts, (std::vector<double>{1.0 / 5, 2.0 / 5, 3.0 / 5, 4.0 / 5, 1.0}));
+}
+
+TEST_F(Step, StopsAsOftenWhereIncrementsFailBetweenTheStops) {
+  Equilibrium equilibrium(bar_.model, clamped_.dofs);
+  StepSettings settings;
+  settings.newton.max_iterations = 3;
+  settings.stops = 2;
+  std::vector<double> parts;
+  const StepReport report = advance(equilibrium, state_, {}, pulled(1.0), clamped_.values, settings,
+                                    label_, recorder_, [&](double part) { parts.push_back(part); });
+  EXPECT_TRUE(report.converged);
+  EXPECT_GE(report.cut_backs, 1);
+  EXPECT_EQ(parts, (std::vector<double>{0.5, 1.0}));
+}
+
 TEST_F(Step, GrowsItsIncrementsWhereTheyAreEasy) {
   const StepReport report = pull(0.3, {.newton = {}, .first_increment = 1.0 / 32});
   EXPECT_TRUE(report.converged);

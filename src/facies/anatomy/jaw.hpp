@@ -82,14 +82,29 @@ struct Exciter {
   std::vector<Index> muscles;  ///< of Jaw::muscles, in their order
 };
 
+/// What a surface is for: the border of a bone, an open sheet of one, or a cast of plaster, which is no part of the body.
+enum class SurfaceKind { solid, shell, cast };
+
 /// The surface of a bone or of a part of it, in a file that is not read here.
 struct BoneSurface {
   std::string name;  ///< "lower_teeth"
   std::string meaning;
   Index bone = -1;
+  SurfaceKind kind = SurfaceKind::solid;
   std::filesystem::path file;
   double scale = 1.0;   ///< from the file's unit to mm
   bool closed = false;  ///< it encloses the bone, without a border
+};
+
+/// The crowns of teeth, where they are part of the surface of a bone.
+struct Crowns {
+  Index surface = -1;           ///< of Jaw::surfaces
+  Vec3 normal = Vec3::UnitZ();  ///< unit, towards the teeth
+  double offset =
+      0.0;  ///< teeth are what has normal . X >= offset and X.x <= back, in the place of the file [mm]
+  double back = 0.0;  ///< [mm]
+
+  [[nodiscard]] bool holds(const Vec3& X) const { return normal.dot(X) >= offset && X.x() <= back; }
 };
 
 struct Jaw {
@@ -103,6 +118,7 @@ struct Jaw {
   std::vector<JawMuscle> muscles;
   std::vector<Exciter> exciters;
   std::vector<BoneSurface> surfaces;
+  std::vector<Crowns> crowns;
   std::string attached_nodes = "mandibular";  ///< node set of the mesh that is tied to the jaw
 };
 

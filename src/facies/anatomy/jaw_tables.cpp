@@ -233,6 +233,14 @@ void read_guides(const fs::path& path, Jaw& jaw, Problems& problems) {
                });
 }
 
+/// A unit vector; any where the table has none.
+Vec3 read_normal(const Row& row) {
+  const Vec3 normal = row.vector("normal_", "");
+  if (std::abs(normal.norm() - 1.0) <= unit_length) return normal.normalized();
+  row.refuse("normal_x", fmt::format("a normal of length {:.4g}", normal.norm()), "length 1");
+  return Vec3::UnitZ();
+}
+
 void read_stops(const fs::path& path, Jaw& jaw, Problems& problems) {
   std::vector<std::string> names;
   for_each_row(
@@ -244,13 +252,9 @@ void read_stops(const fs::path& path, Jaw& jaw, Problems& problems) {
         stop.meaning = row.text("meaning");
         stop.point = read_led_point(row, jaw);
         stop.enabled = row.flag("enabled");
-        const Vec3 normal = row.vector("normal_", "");
+        stop.normal = read_normal(row);
         const double offset = row.number("offset_mm");
-        if (!(std::abs(normal.norm() - 1.0) <= unit_length)) {
-          row.refuse("normal_x", fmt::format("a normal of length {:.4g}", normal.norm()),
-                     "length 1");
-        } else if (stop.point >= 0) {
-          stop.normal = normal.normalized();
+        if (stop.point >= 0) {
           stop.plane =
               place_of(jaw, jaw.intercuspal, jaw.points[at(stop.point)].at) - offset * stop.normal;
         }
@@ -320,19 +324,40 @@ void read_exciters(const fs::path& path, Jaw& jaw, Problems& problems) {
   });
 }
 
+SurfaceKind read_kind(const Row& row) {
+  const std::string kind = row.text("kind");
+  if (kind == "shell") return SurfaceKind::shell;
+  if (kind == "cast") return SurfaceKind::cast;
+  if (kind != "solid") row.refuse("kind", excerpt(kind), "solid, shell or cast");
+  return SurfaceKind::solid;
+}
+
 void read_surfaces(const fs::path& path, Jaw& jaw, Problems& problems) {
   std::vector<std::string> names;
-  for_each_row(path, {"name", "meaning", "bone", "file", "scale", "closed"}, problems, [&](const Row& row) {
-    BoneSurface surface;
-    surface.name = row.name(names);
-    surface.meaning = row.text("meaning");
-    surface.bone = row.place("bone", jaw.bones);
-    surface.file = row.text("file");
-    surface.scale = row.positive("scale");
-    surface.closed = row.flag("closed");
-    if (surface.file.empty()) row.refuse("file", "no file", "the file of the surface");
-    jaw.surfaces.push_back(std::move(surface));
-  });
+  for_each_row(path, {"name", "meaning", "bone", "kind", "file", "scale", "closed"}, problems,
+               [&](const Row& row) {
+                 BoneSurface surface;
+                 surface.name = row.name(names);
+                 surface.meaning = row.text("meaning");
+                 surface.bone = row.place("bone", jaw.bones);
+                 surface.kind = read_kind(row);
+                 surface.file = row.text("file");
+                 surface.scale = row.positive("scale");
+                 if (surface.file.empty()) row.refuse("file", "no file", "the file of the surface");
+                 jaw.surfaces.push_back(std::move(surface));
+               });
+}
+
+void read_crowns(const fs::path& path, Jaw& jaw, Problems& problems) {
+  for_each_row(path, {"surface", "normal_x", "normal_y", "normal_z", "offset_mm", "back_mm"},
+               problems, [&](const Row& row) {
+                 Crowns crowns;
+                 crowns.surface = row.place("surface", jaw.surfaces);
+                 crowns.normal = read_normal(row);
+                 crowns.offset = row.number("offset_mm");
+                 crowns.back = row.number("back_mm");
+                 jaw.crowns.push_back(crowns);
+               });
 }
 
 }  // namespace
@@ -340,7 +365,7 @@ void read_surfaces(const fs::path& path, Jaw& jaw, Problems& problems) {
 std::vector<fs::path> jaw_table_files(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const char* table :
-       {"bones", "poses", "points", "guides", "stops", "muscles", "exciters", "surfaces"})
+       {"bones", "poses", "points", "guides", "stops", "muscles", "exciters", "surfaces", "crowns"})
     files.push_back(folder / fmt::format("jaw-{}.csv", table));
   return files;
 }
@@ -355,6 +380,7 @@ Jaw read_jaw_tables(const fs::path& folder, Problems& problems) {
   read_muscles(folder / "jaw-muscles.csv", jaw, problems);
   read_exciters(folder / "jaw-exciters.csv", jaw, problems);
   read_surfaces(folder / "jaw-surfaces.csv", jaw, problems);
+  read_crowns(folder / "jaw-crowns.csv", jaw, problems);
   return jaw;
 }
 

@@ -300,6 +300,14 @@ std::string to_vtu(const Mesh& mesh, std::span<const Face> faces, std::span<cons
   return make_vtu(points, cells, fields, face_fields);
 }
 
+std::string to_vtu(std::span<const Vec3> x, std::span<const std::array<Index, 3>> triangles,
+                   std::span<const Field> point_fields, std::span<const Field> triangle_fields) {
+  Cells cells;
+  for (const std::array<Index, 3>& triangle : triangles)
+    cells.add(triangle, vtk_triangle);
+  return make_vtu(x, cells, point_fields, triangle_fields);
+}
+
 std::string to_pvd(std::span<const SeriesEntry> entries) {
   std::string xml =
       "<?xml version=\"1.0\"?>\n"
@@ -310,8 +318,8 @@ std::string to_pvd(std::span<const SeriesEntry> entries) {
     if (!entry.remark.empty()) {
       xml += fmt::format("    <!-- {} -->\n", comment_text(entry.remark));
     }
-    xml += fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n",
-                       entry.time, escape(entry.file.generic_string()));
+    xml += fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"{}\" file=\"{}\"/>\n",
+                       entry.time, entry.part, escape(entry.file.generic_string()));
   }
   return xml + "  </Collection>\n</VTKFile>\n";
 }

@@ -47,11 +47,18 @@ struct Field {
                                  std::span<const Vec3> x, std::span<const Field> node_fields,
                                  std::span<const Field> face_fields);
 
+/// The same for triangles on points of their own, `x` and point fields [n_points].
+[[nodiscard]] std::string to_vtu(std::span<const Vec3> x,
+                                 std::span<const std::array<Index, 3>> triangles,
+                                 std::span<const Field> point_fields,
+                                 std::span<const Field> triangle_fields);
+
 /// One file of a series.
 struct SeriesEntry {
   double time = 0.0;           ///< what a viewer orders and shows the states by
   std::filesystem::path file;  ///< relative to the .pvd file
   std::string remark;          ///< for readers of the text: "step 2 express, load 0.5"
+  int part = 0;                ///< files of one time are shown together, each a part
 };
 
 /// The bytes of a .pvd file. Throws BugError where a time is not finite.

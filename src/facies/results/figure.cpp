@@ -22,7 +22,8 @@ constexpr double gap = 14.0;
 constexpr double title_size = 26.0;
 constexpr double text_size = 17.0;
 constexpr double label_size = 12.0;
-constexpr double line = 1.5;  ///< line height by text size
+constexpr double line = 1.5;     ///< line height by text size
+constexpr double swatch = 18.0;  ///< side of a colour in a legend
 constexpr double bar_width = 24.0;
 constexpr double bar_column = 210.0;  ///< width of the page that a colour bar takes
 
@@ -82,6 +83,9 @@ struct TextStyle {
   bool halo = false;  ///< white around the letters, to be read on anything
 };
 
+const TextStyle title_style{title_size, 0.1, true, false};
+const TextStyle small_print{text_size, 0.35, false, false};
+
 /// Writes on the baseline y.
 void write(cairo_t* pen, double x, double y, const std::string& text, Align align,
            const TextStyle& style) {
@@ -120,18 +124,9 @@ void draw_dots(cairo_t* pen, double x, double y, const std::vector<Dot>& dots) {
   }
 }
 
-void draw_panel(cairo_t* pen, double x, double y, const Panel& panel) {
-  const Canvas picture = to_canvas(panel.image);
-  cairo_set_source_surface(pen, picture.get(), x, y);
-  cairo_paint(pen);
-  draw_dots(pen, x, y, panel.dots);
-  write(pen, x + 0.5 * panel.image.width, y + panel.image.height + text_size, panel.caption,
-        Align::middle, {});
-}
-
-/// The longest of 1, 2, 5, 10, 20, 50 ... mm that takes at most 240 pixels; it ends at `right`.
-void draw_scale_bar(cairo_t* pen, double right, double y, double mm_per_pixel) {
-  const double available = 240.0 * mm_per_pixel;
+/// The longest of 1, 2, 5, 10, 20, 50 ... mm that takes at most `longest` pixels; it ends at `right`.
+void draw_scale_bar(cairo_t* pen, double right, double y, double longest, double mm_per_pixel) {
+  const double available = longest * mm_per_pixel;
   const double decade = std::pow(10.0, std::floor(std::log10(available)));
   const double length = available >= 5.0 * decade   ? 5.0 * decade
                         : available >= 2.0 * decade ? 2.0 * decade
@@ -141,6 +136,18 @@ void draw_scale_bar(cairo_t* pen, double right, double y, double mm_per_pixel) {
   cairo_rectangle(pen, right - pixels, y - 4.0, pixels, 4.0);
   cairo_fill(pen);
   write(pen, right - 0.5 * pixels, y - 11.0, fmt::format("{:g} mm", length), Align::middle, {14.0});
+}
+
+void draw_panel(cairo_t* pen, double x, double y, const Panel& panel) {
+  const Canvas picture = to_canvas(panel.image);
+  cairo_set_source_surface(pen, picture.get(), x, y);
+  cairo_paint(pen);
+  draw_dots(pen, x, y, panel.dots);
+  write(pen, x + 0.5 * panel.image.width, y + panel.image.height + text_size, panel.caption,
+        Align::middle, {});
+  if (panel.mm_per_pixel > 0.0)
+    draw_scale_bar(pen, x + panel.image.width, y + panel.image.height + line * text_size, 120.0,
+                   panel.mm_per_pixel);
 }
 
 void draw_colour_bar(cairo_t* pen, double x, double y, double height, const ColourBar& bar) {
@@ -161,6 +168,20 @@ void draw_colour_bar(cairo_t* pen, double x, double y, double height, const Colo
     cairo_line_to(pen, x + bar_width + 6.0, place);
     cairo_stroke(pen);
     write(pen, x + bar_width + 11.0, place + 5.5, fmt::format("{:.6g}", tick), Align::left, {15.0});
+  }
+}
+
+void draw_legend(cairo_t* pen, double x, double y, const std::vector<LegendEntry>& legend) {
+  for (const LegendEntry& entry : legend) {
+    const Colour& colour = entry.colour;
+    cairo_rectangle(pen, x, y, swatch, swatch);
+    cairo_set_source_rgb(pen, double{colour.r}, double{colour.g}, double{colour.b});
+    cairo_fill(pen);
+    cairo_move_to(pen, 0.0, 0.0);
+    write(pen, x + swatch + 8.0, y + 0.8 * swatch, entry.label, Align::left, {});
+    double end = 0.0;
+    cairo_get_current_point(pen, &end, nullptr);
+    x = std::round(end) + 2.0 * gap;
   }
 }
 
@@ -196,6 +217,26 @@ cairo_status_t take(void* reader, unsigned char* bytes, unsigned int n) {
   return CAIRO_STATUS_SUCCESS;
 }
 
+/// How wide text comes out.
+double text_width(const std::string& text, const TextStyle& style) {
+  const Canvas canvas = make_canvas(1, 1);
+  const Pen pen(cairo_create(canvas.get()));
+  choose_font(pen.get());
+  write(pen.get(), 0.0, 0.0, text, Align::left, style);
+  double end = 0.0;
+  cairo_get_current_point(pen.get(), &end, nullptr);
+  return end;
+}
+
+/// What stands above and below the rows: title, small print, legend.
+double head_and_foot_width(const Figure& figure) {
+  double legend = 0.0;
+  for (const LegendEntry& entry : figure.legend)
+    legend += swatch + 8.0 + text_width(entry.label, {}) + 2.0 * gap + 1.0;
+  return std::max(
+      {text_width(figure.title, title_style), text_width(figure.subtitle, small_print), legend});
+}
+
 }  // namespace
 
 std::string to_png(const Figure& figure) {
@@ -205,18 +246,19 @@ std::string to_png(const Figure& figure) {
     width = std::max(width, row_width(row));
     height += row_height(row);
   }
+  width = std::max(width, std::ceil(head_and_foot_width(figure)));
   const double head = std::round(line * (title_size + text_size) + gap);
+  const double foot = figure.legend.empty() ? 0.0 : std::round(line * swatch + gap);
   const double page_width = 2.0 * margin + width + (figure.bar ? bar_column : 0.0);
-  const Canvas page =
-      make_canvas(static_cast<int>(page_width), static_cast<int>(2.0 * margin + head + height));
+  const Canvas page = make_canvas(static_cast<int>(page_width),
+                                  static_cast<int>(2.0 * margin + head + height + foot));
   const Pen pen(cairo_create(page.get()));
   choose_font(pen.get());
   cairo_set_source_rgb(pen.get(), 1.0, 1.0, 1.0);
   cairo_paint(pen.get());
-  write(pen.get(), margin, margin + title_size, figure.title, Align::left,
-        {title_size, 0.1, true, false});
+  write(pen.get(), margin, margin + title_size, figure.title, Align::left, title_style);
   write(pen.get(), margin, margin + line * title_size + text_size, figure.subtitle, Align::left,
-        {text_size, 0.35});
+        small_print);
 
   double y = margin + head;
   for (const auto& row : figure.rows) {
@@ -228,12 +270,13 @@ std::string to_png(const Figure& figure) {
     y += row_height(row);
   }
   if (figure.mm_per_pixel > 0.0)
-    draw_scale_bar(pen.get(), margin + width, y - gap, figure.mm_per_pixel);
+    draw_scale_bar(pen.get(), margin + width, y - gap, 240.0, figure.mm_per_pixel);
   if (figure.bar && !figure.rows.empty()) {
     const double last = row_height(figure.rows.back());
     draw_colour_bar(pen.get(), margin + width + 2.0 * gap, std::round(y - 0.9 * last), 0.7 * last,
                     *figure.bar);
   }
+  draw_legend(pen.get(), margin, y + gap, figure.legend);
   check(cairo_status(pen.get()));
   std::string png;
   check(cairo_surface_write_to_png_stream(page.get(), append, &png));

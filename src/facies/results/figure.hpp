@@ -20,6 +20,7 @@ struct Panel {
   Image image;
   std::string caption;
   std::vector<Dot> dots;
+  double mm_per_pixel = 0.0;  ///< a scale bar is drawn below the panel where it is positive
 };
 
 struct ColourBar {
@@ -27,11 +28,18 @@ struct ColourBar {
   std::string label;  ///< with its unit: "displacement [mm]"
 };
 
+/// What a colour means.
+struct LegendEntry {
+  Colour colour;
+  std::string label;
+};
+
 struct Figure {
   std::string title, subtitle;
   std::vector<std::vector<Panel>> rows;
-  double mm_per_pixel = 0.0;     ///< of every panel; a scale bar is drawn where it is positive
+  double mm_per_pixel = 0.0;     ///< of every panel; one scale bar is drawn where it is positive
   std::optional<ColourBar> bar;  ///< stands beside the last row
+  std::vector<LegendEntry> legend = {};  ///< in one line below the rows
 };
 
 /// The figure as a PNG file. Throws std::runtime_error where cairo fails.

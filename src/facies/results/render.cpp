@@ -5,14 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <span>
-#include <stdexcept>
-
-#include <embree3/rtcore.h>
 
 #include "facies/base/error.hpp"
 #include "facies/base/parallel.hpp"
+#include "facies/results/ray_tree.hpp"
 #include "facies/results/shading.hpp"
 
 namespace facies::results {
@@ -22,38 +19,13 @@ namespace {
 /// Farther than this nothing takes light away from a point [mm].
 constexpr float shelter_reach = 35.0F;
 constexpr int shelter_rays = 48;
-/// Every triangle is drawn as this many squared.
-constexpr std::uint32_t cuts = 3;
-/// How far the surface follows the tangent planes; the source's value is 3/4, less keeps flat things flat.
-constexpr double roundness = 0.6;
+/// What a ray has hit it leaves this far behind before it looks for more [mm].
+constexpr float hit_gap = 1e-3F;
 /// Pixels that differ by more than this from a neighbour are sampled again (parts of full light).
 constexpr float edge_contrast = 0.04F;
 
-struct ReleaseDevice {
-  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-};
-struct ReleaseScene {
-  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-};
-using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
-using Tree = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
-
 Vec3f to_vector(const std::array<float, 3>& a) {
   return {a[0], a[1], a[2]};
-}
-
-RTCRay make_ray(const Vec3f& origin, const Vec3f& direction, float near, float far) {
-  RTCRay ray{};
-  ray.org_x = origin.x();
-  ray.org_y = origin.y();
-  ray.org_z = origin.z();
-  ray.dir_x = direction.x();
-  ray.dir_y = direction.y();
-  ray.dir_z = direction.z();
-  ray.tnear = near;
-  ray.tfar = far;
-  ray.mask = std::numeric_limits<unsigned>::max();
-  return ray;
 }
 
 /// Directions about +z whose density falls with the cosine (Malley's method on a Fibonacci spiral): always the same ones.
@@ -71,15 +43,8 @@ std::vector<Vec3f> hemisphere() {
   return directions;
 }
 
-bool is_blocked(RTCScene tree, RTCRay ray) {
-  RTCIntersectContext context{};
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(tree, &context, &ray);
-  return ray.tfar < 0.0F;
-}
-
 /// Part of the hemisphere above a point that is free within shelter_reach.
-float openness_at(RTCScene tree, const Vec3f& point, const Vec3f& normal,
+float openness_at(const RayTree& tree, const Vec3f& point, const Vec3f& normal,
                   const std::vector<Vec3f>& directions) {
   const Vec3f helper = std::abs(normal.z()) < 0.9F ? Vec3f::UnitZ() : Vec3f::UnitX();
   const Vec3f s = normal.cross(helper).normalized();
@@ -88,12 +53,17 @@ float openness_at(RTCScene tree, const Vec3f& point, const Vec3f& normal,
   int free = 0;
   for (const Vec3f& d : directions) {
     const Vec3f direction = d.x() * s + d.y() * t + d.z() * normal;
-    if (!is_blocked(tree, make_ray(origin, direction, 0.05F, shelter_reach))) ++free;
+    if (!tree.blocks({origin, direction, 0.05F, shelter_reach})) ++free;
   }
   return static_cast<float>(free) / static_cast<float>(directions.size());
 }
 
 void check(const Surface& surface) {
+  require(surface.sides.empty() || surface.sides.size() == surface.triangles.size(),
+          "Scene: one pair of sides per triangle, or none");
+  const auto n_fills = static_cast<int>(surface.fills.size());
+  for (const Sides& sides : surface.sides)
+    require(std::max(sides.inside, sides.outside) < n_fills, "Scene: a side without a colour");
   const std::size_t n = surface.positions.size();
   require(surface.normals.size() == n && surface.round.size() == n && surface.colours.size() == n,
           "Scene: one normal, roundness and colour per position");
@@ -103,75 +73,6 @@ void check(const Surface& surface) {
     for (const std::uint32_t vertex : triangle)
       require(vertex < n, "Scene: a triangle names a vertex that does not exist");
   }
-}
-
-using Weights = std::array<double, 3>;
-
-/// The small triangles that a triangle is drawn as: the weights of its vertices at each of their corners.
-std::vector<std::array<Weights, 3>> cut_triangle() {
-  const auto corner = [](std::uint32_t i, std::uint32_t j) {
-    return Weights{static_cast<double>(cuts - i - j) / cuts, static_cast<double>(i) / cuts,
-                   static_cast<double>(j) / cuts};
-  };
-  std::vector<std::array<Weights, 3>> list;
-  for (std::uint32_t j = 0; j < cuts; ++j) {
-    for (std::uint32_t i = 0; i + j < cuts; ++i) {
-      list.push_back({corner(i, j), corner(i + 1, j), corner(i, j + 1)});
-      if (i + j + 1 < cuts)
-        list.push_back({corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)});
-    }
-  }
-  return list;
-}
-
-/// The point of the rounded surface. In double, so that the two triangles at an edge get the same bits in single.
-Vec3f rounded_point(const Surface& surface, const std::array<std::uint32_t, 3>& triangle,
-                    const Weights& w) {
-  Vec3 flat = Vec3::Zero();
-  for (std::size_t k = 0; k < 3; ++k)
-    flat += w[k] * surface.positions[triangle[k]].cast<double>();
-  Vec3 bulge = Vec3::Zero();
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (!surface.round[triangle[k]]) continue;
-    const Vec3 normal = surface.normals[triangle[k]].cast<double>();
-    bulge -= w[k] * (flat - surface.positions[triangle[k]].cast<double>()).dot(normal) * normal;
-  }
-  return (flat + roundness * bulge).cast<float>();
-}
-
-/// One thread inside Embree: its tree, and with it the answer on a shared edge, is then the same every time.
-Device make_device() {
-  Device device(rtcNewDevice("threads=1,user_threads=1"));
-  if (!device) throw std::runtime_error("cannot start the ray caster (Embree)");
-  return device;
-}
-
-Tree make_tree(RTCDevice device, const Surface& surface,
-               std::span<const std::array<Weights, 3>> pieces) {
-  const std::size_t n = surface.triangles.size() * pieces.size();
-  Tree tree(rtcNewScene(device));
-  rtcSetSceneFlags(tree.get(), RTC_SCENE_FLAG_ROBUST);
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * n));
-  auto* triangles = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), n));
-  for (const auto& triangle : surface.triangles) {
-    for (const auto& piece : pieces) {
-      for (const Weights& w : piece) {
-        const Vec3f p = rounded_point(surface, triangle, w);
-        positions = std::copy(p.begin(), p.end(), positions);
-      }
-    }
-  }
-  std::iota(triangles, triangles + 3 * n, 0U);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(tree.get(), geometry);
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(tree.get());
-  if (rtcGetDeviceError(device) != RTC_ERROR_NONE)
-    throw std::runtime_error("the ray caster (Embree) cannot take the surface");
-  return tree;
 }
 
 /// One sample for every pixel.
@@ -203,6 +104,19 @@ class Light {
   std::vector<Vec3f> samples_;
 };
 
+/// What one sees along a ray.
+struct Sight {
+  Vec3f light = Vec3f::Ones();
+  float distance = std::numeric_limits<float>::infinity();  ///< to what is seen [mm]
+  float facing = 0.0F;  ///< cosine between the line of sight and the surface's normal, 0..1
+};
+
+/// The veil in front of what is seen behind it.
+Vec3f behind_veil(const Sight& veil, float density, const Vec3f& behind) {
+  const float aside = 1.0F - veil.facing;
+  return behind + (density + (1.0F - density) * aside * aside) * (veil.light - behind);
+}
+
 }  // namespace
 
 Eigen::Vector2d Camera::project(const Vec3& point) const {
@@ -227,37 +141,66 @@ Image halved(const Image& image) {
   return half;
 }
 
-struct Scene::Parts {
-  Surface surface;
-  std::vector<float> openness;  ///< of each vertex
-  std::vector<std::array<Weights, 3>> pieces;
-  float size = 0.0F;  ///< no point is farther than this from the origin
-  Device device;
-  Tree tree;
+void append(Surface& surface, const Surface& more) {
+  const auto n_vertices = static_cast<std::uint32_t>(surface.positions.size());
+  const auto n_fills = static_cast<int>(surface.fills.size());
+  const auto join = [](auto& list, const auto& other) {
+    list.insert(list.end(), other.begin(), other.end());
+  };
+  if (!surface.values.empty() || !more.values.empty()) {
+    surface.values.resize(n_vertices, std::numeric_limits<float>::quiet_NaN());
+    join(surface.values, more.values);
+    surface.values.resize(n_vertices + more.positions.size(),
+                          std::numeric_limits<float>::quiet_NaN());
+  }
+  if (!surface.sides.empty() || !more.sides.empty()) {
+    surface.sides.resize(surface.triangles.size());
+    for (const Sides& sides : more.sides)
+      surface.sides.push_back({sides.inside < 0 ? -1 : sides.inside + n_fills,
+                               sides.outside < 0 ? -1 : sides.outside + n_fills});
+    surface.sides.resize(surface.triangles.size() + more.triangles.size());
+  }
+  join(surface.positions, more.positions);
+  join(surface.normals, more.normals);
+  join(surface.round, more.round);
+  join(surface.colours, more.colours);
+  join(surface.fills, more.fills);
+  for (const auto& t : more.triangles)
+    surface.triangles.push_back({t[0] + n_vertices, t[1] + n_vertices, t[2] + n_vertices});
+}
 
-  /// The light along one ray of the camera.
-  [[nodiscard]] Vec3f look(const Studio& studio, const RTCRay& from,
-                           const ColourScale& scale) const;
+struct Scene::Parts {
+  explicit Parts(Surface given) : surface(std::move(given)), tree(surface) {}
+
+  Surface surface;
+  RayTree tree;
+  std::vector<float> openness = {};  ///< of each vertex
+  float size = 0.0F;                 ///< no point is farther than this from the origin
+
+  /// What is seen along a ray.
+  [[nodiscard]] Sight look(const Studio& studio, const Ray& ray, const ColourScale& scale,
+                           bool is_cut) const;
+  /// What lies on the ray's side of the triangle that it hit, and on the other.
+  [[nodiscard]] Sides sides_of(const RayHit& hit) const;
+  /// The colour of what a cut goes through where this ray begins in it, given its first hit; nullptr where that is nothing.
+  [[nodiscard]] const Colour* cut_at(const Ray& ray, const RayHit& first) const;
   /// The light from a point of a triangle with these weights of its vertices.
   [[nodiscard]] Vec3f shade(const Studio& studio, const std::array<std::uint32_t, 3>& triangle,
-                            const Vec3f& w, const ColourScale& scale) const;
+                            const Vec3f& w, const Vec3f& normal, const ColourScale& scale) const;
 };
 
-Scene::Scene(Surface surface, int threads) : parts_(std::make_unique<Parts>()) {
+Scene::Scene(Surface surface, int threads) {
   check(surface);
+  parts_ = std::make_unique<Parts>(std::move(surface));
   Parts& parts = *parts_;
-  parts.surface = std::move(surface);
   for (const Vec3f& p : parts.surface.positions)
     parts.size = std::max(parts.size, p.norm());
-  parts.device = make_device();
-  parts.pieces = cut_triangle();
-  parts.tree = make_tree(parts.device.get(), parts.surface, parts.pieces);
   parts.openness.resize(parts.surface.positions.size());
   const std::vector<Vec3f> directions = hemisphere();
   parallel_for(parts.openness.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      parts.openness[i] = openness_at(parts.tree.get(), parts.surface.positions[i],
-                                      parts.surface.normals[i], directions);
+      parts.openness[i] =
+          openness_at(parts.tree, parts.surface.positions[i], parts.surface.normals[i], directions);
     }
   });
 }
@@ -267,57 +210,145 @@ Scene& Scene::operator=(Scene&&) noexcept = default;
 Scene::~Scene() = default;
 
 Vec3f Scene::Parts::shade(const Studio& studio, const std::array<std::uint32_t, 3>& triangle,
-                          const Vec3f& w, const ColourScale& scale) const {
-  Vec3f normal = Vec3f::Zero();
+                          const Vec3f& w, const Vec3f& normal, const ColourScale& scale) const {
   Vec3f albedo = Vec3f::Zero();
   float open = 0.0F;
   float value = surface.values.empty() ? std::numeric_limits<float>::quiet_NaN() : 0.0F;
   for (std::size_t k = 0; k < 3; ++k) {
     const float weight = w[static_cast<Eigen::Index>(k)];
     const std::uint32_t vertex = triangle[k];
-    normal += weight * surface.normals[vertex];
     albedo += weight * to_vector(to_light(surface.colours[vertex]));
     open += weight * openness[vertex];
     if (!surface.values.empty()) value += weight * surface.values[vertex];
   }
   if (!std::isnan(value)) albedo = to_vector(to_light(scale.colour_of(value)));
-  return studio.shade(albedo, normal.normalized(), open);
+  return studio.shade(albedo, normal, open);
 }
 
-Vec3f Scene::Parts::look(const Studio& studio, const RTCRay& from, const ColourScale& scale) const {
-  RTCIntersectContext context{};
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  RTCRayHit ray{};
-  ray.ray = from;
-  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(tree.get(), &context, &ray);
-  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return Vec3f::Ones();
-  const std::array<Weights, 3>& piece = pieces[ray.hit.primID % pieces.size()];
-  const std::array<float, 3> within{1.0F - ray.hit.u - ray.hit.v, ray.hit.u, ray.hit.v};
-  Vec3f w = Vec3f::Zero();
-  for (std::size_t k = 0; k < 3; ++k)
-    w += within[k] * Vec3(piece[k][0], piece[k][1], piece[k][2]).cast<float>();
-  return shade(studio, surface.triangles[ray.hit.primID / pieces.size()], w, scale).cwiseMin(1.0F);
+Sides Scene::Parts::sides_of(const RayHit& hit) const {
+  const Sides& sides = surface.sides[hit.triangle];
+  return hit.from_inside ? sides : Sides{sides.outside, sides.inside};
 }
+
+/// The ray begins in something if it leaves things more often than it enters them; where a surface passes through itself its
+/// first hit alone could be the far side of a fold.
+const Colour* Scene::Parts::cut_at(const Ray& ray, const RayHit& first) const {
+  if (surface.sides.empty()) return nullptr;
+  const int fill = sides_of(first).inside;
+  if (fill < 0) return nullptr;
+  int left = 0;
+  for (std::optional<RayHit> hit = first; hit;) {
+    const Sides sides = sides_of(*hit);
+    left += static_cast<int>(sides.inside >= 0) - static_cast<int>(sides.outside >= 0);
+    hit = tree.first_hit({ray.origin, ray.direction, hit->distance + hit_gap, ray.far});
+  }
+  return left > 0 ? &surface.fills[static_cast<std::size_t>(fill)] : nullptr;
+}
+
+Sight Scene::Parts::look(const Studio& studio, const Ray& ray, const ColourScale& scale,
+                         bool is_cut) const {
+  const std::optional<RayHit> hit = tree.first_hit(ray);
+  if (!hit) return {};
+  if (const Colour* fill = is_cut ? cut_at(ray, *hit) : nullptr)
+    return {to_vector(to_light(*fill)), 0.0F, 1.0F};
+  const std::array<std::uint32_t, 3>& triangle = surface.triangles[hit->triangle];
+  Vec3f normal = Vec3f::Zero();
+  for (std::size_t k = 0; k < 3; ++k)
+    normal += hit->weights[static_cast<Eigen::Index>(k)] * surface.normals[triangle[k]];
+  normal.normalize();
+  const Vec3f light = shade(studio, triangle, hit->weights, normal, scale);
+  return {light.cwiseMin(1.0F), hit->distance, std::abs(normal.dot(ray.direction))};
+}
+
+/// One look at an actor. It is not the actor that moves but the camera, the other way.
+class Gaze {
+ public:
+  Gaze(const Actor& actor, const Camera& camera)
+      : parts_(actor.scene->parts_.get()),
+        density_(actor.density),
+        camera_(carried(camera, actor)),
+        studio_(camera_),
+        direction_(camera_.direction.cast<float>()),
+        reach_(parts_->size + static_cast<float>(camera_.target.norm())),
+        start_(std::max(static_cast<float>(camera.cut), -reach_)) {
+    for (const Vec3& corner : parts_->tree.corners())
+      silhouette_.extend(camera_.project(corner));
+  }
+
+  [[nodiscard]] float density() const { return density_; }
+  [[nodiscard]] bool is_veil() const { return density_ < 1.0F; }
+  /// What is seen of the actor at a place of the picture [pixels] before `far`; distances count from the camera's target.
+  [[nodiscard]] Sight look(double column, double row, const ColourScale& scale, float far) const {
+    if (!silhouette_.contains(Eigen::Vector2d(column, row))) return {};
+    const Vec3 place =
+        camera_.target + camera_.mm_per_pixel * ((column - 0.5 * camera_.width) * camera_.right() +
+                                                 (0.5 * camera_.height - row) * camera_.up);
+    const Vec3f origin = place.cast<float>() + start_ * direction_;
+    const bool is_cut = std::isfinite(camera_.cut);
+    // What a cut goes through is told by what the ray hits behind it, however far.
+    const float end = is_cut ? 2.0F * reach_ : std::min(2.0F * reach_, far - start_);
+    const Ray ray{origin, direction_, 0.0F, end};
+    Sight sight = parts_->look(studio_, ray, scale, is_cut);
+    sight.distance += start_;
+    return sight;
+  }
+
+ private:
+  static Camera carried(const Camera& camera, const Actor& actor) {
+    Camera other = camera;
+    other.target = actor.R.transpose() * (camera.target - actor.t);
+    other.direction = actor.R.transpose() * camera.direction;
+    other.up = actor.R.transpose() * camera.up;
+    return other;
+  }
+
+  const Scene::Parts* parts_;
+  float density_;
+  Camera camera_;
+  Studio studio_;
+  Vec3f direction_;
+  float reach_, start_;
+  Eigen::AlignedBox2d silhouette_;  ///< nothing of the actor is outside [pixels]
+};
+
+namespace {
+
+/// What is seen of all actors: the nearest, and the veils in front of it.
+Vec3f look_at_all(std::span<const Gaze> gazes, double column, double row,
+                  const ColourScale& scale) {
+  Sight nearest;
+  for (const Gaze& gaze : gazes) {
+    if (gaze.is_veil()) continue;
+    const Sight sight = gaze.look(column, row, scale, nearest.distance);
+    if (sight.distance <= nearest.distance) nearest = sight;
+  }
+  Vec3f light = nearest.light;
+  for (const Gaze& gaze : gazes) {
+    if (!gaze.is_veil()) continue;
+    const Sight veil = gaze.look(column, row, scale, nearest.distance);
+    if (veil.distance < nearest.distance) light = behind_veil(veil, gaze.density(), light);
+  }
+  return light;
+}
+
+}  // namespace
 
 Image Scene::render(const Camera& camera, const ColourScale& scale, int threads) const {
-  const Studio studio(camera);
-  const Vec3f direction = camera.direction.cast<float>();
-  const float distance = parts_->size + static_cast<float>(camera.target.norm());
-  const auto sample = [&](double column, double row) {
-    const Vec3 place =
-        camera.target + camera.mm_per_pixel * ((column - 0.5 * camera.width) * camera.right() +
-                                               (0.5 * camera.height - row) * camera.up);
-    const Vec3f origin = place.cast<float>() - distance * direction;
-    return parts_->look(studio, make_ray(origin, direction, 0.0F, 2.0F * distance), scale);
-  };
+  const std::array<Actor, 1> alone = {{{.scene = this}}};
+  return results::render(alone, camera, scale, threads);
+}
+
+Image render(std::span<const Actor> actors, const Camera& camera, const ColourScale& scale,
+             int threads) {
+  std::vector<Gaze> gazes;
+  for (const Actor& actor : actors)
+    gazes.emplace_back(actor, camera);
   constexpr std::array<double, 3> thirds{1.0 / 6.0, 3.0 / 6.0, 5.0 / 6.0};
   const auto sample_finely = [&](int column, int row) {
     Vec3f sum = Vec3f::Zero();
     for (const double y : thirds) {
       for (const double x : thirds)
-        sum += sample(column + x, row + y);
+        sum += look_at_all(gazes, column + x, row + y, scale);
     }
     return Vec3f(sum / 9.0F);
   };
@@ -331,7 +362,9 @@ Image Scene::render(const Camera& camera, const ColourScale& scale, int threads)
                  });
   };
   Light light(camera.width, camera.height);
-  in_rows([&](int column, int row) { light(column, row) = sample(column + 0.5, row + 0.5); });
+  in_rows([&](int column, int row) {
+    light(column, row) = look_at_all(gazes, column + 0.5, row + 0.5, scale);
+  });
   Image image{camera.width, camera.height, {}};
   image.rgb.resize(image.place(0, image.height));
   in_rows([&](int column, int row) {
@@ -347,8 +380,7 @@ Image Scene::render(const Camera& camera, const ColourScale& scale, int threads)
 bool Scene::sees(const Camera& camera, const Vec3& point, double tolerance) const {
   const Vec3 origin = point - tolerance * camera.direction;
   const float far = parts_->size + static_cast<float>(point.norm());
-  return !is_blocked(parts_->tree.get(),
-                     make_ray(origin.cast<float>(), (-camera.direction).cast<float>(), 0.0F, far));
+  return !parts_->tree.blocks({origin.cast<float>(), (-camera.direction).cast<float>(), 0.0F, far});
 }
 
 }  // namespace facies::results

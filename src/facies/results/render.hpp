@@ -5,7 +5,9 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -17,6 +19,13 @@ namespace facies::results {
 
 using Vec3f = Eigen::Vector3f;
 
+/// What a triangle separates, for pictures of a cut: positions in Surface::fills, nothing where negative.
+struct Sides {
+  int inside = -1, outside = -1;
+
+  friend bool operator==(const Sides&, const Sides&) = default;
+};
+
 /// Triangles with shared vertices, seen from both sides. Between vertices that are `round` the surface bulges towards
 /// their tangent planes (T. Boubekeur and M. Alexa, "Phong tessellation", 2008); the vertices themselves stay in place.
 struct Surface {
@@ -26,8 +35,13 @@ struct Surface {
   std::vector<Colour> colours;   ///< [n]
   std::vector<float> values;     ///< [n] shown by a colour scale instead, NaN: not; or empty
   std::vector<std::array<std::uint32_t, 3>>
-      triangles;  ///< vertices, counter-clockwise seen from outside
+      triangles;              ///< vertices, counter-clockwise seen from outside
+  std::vector<Sides> sides;   ///< of each triangle; empty: there is nothing on either side
+  std::vector<Colour> fills;  ///< of what is cut
 };
+
+/// Adds the triangles of another surface. Where only one of the two has values, the other's are NaN.
+void append(Surface& surface, const Surface& more);
 
 /// An orthographic camera: parallel rays, so that a length in the picture is a length on the face.
 struct Camera {
@@ -36,6 +50,9 @@ struct Camera {
   Vec3 up = Vec3::UnitZ();         ///< unit, perpendicular to direction
   double mm_per_pixel = 0.25;
   int width = 800, height = 800;
+  /// Everything nearer than this along `direction` is cut away [mm from the target]. Where the cut goes through what
+  /// triangles enclose, it shows the colour of that (Surface::sides), unshaded.
+  double cut = -std::numeric_limits<double>::infinity();
 
   /// Unit vector that points to the right in the picture.
   [[nodiscard]] Vec3 right() const { return direction.cross(up); }
@@ -77,8 +94,23 @@ class Scene {
   [[nodiscard]] bool sees(const Camera& camera, const Vec3& point, double tolerance) const;
 
  private:
+  friend class Gaze;
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
+
+/// A scene among others, carried from where it was made to x = R X + t.
+struct Actor {
+  const Scene* scene = nullptr;
+  Mat3 R = Mat3::Identity();
+  Vec3 t = Vec3::Zero();  ///< [mm]
+  /// 1: opaque. Else one looks through it: this dense where one looks straight at it, denser towards its outlines.
+  float density = 1.0F;
+};
+
+/// Several scenes in one picture. They hide each other but take no light from each other; where a cut goes through more than
+/// one, the last of them is shown.
+[[nodiscard]] Image render(std::span<const Actor> actors, const Camera& camera,
+                           const ColourScale& scale, int threads);
 
 }  // namespace facies::results

@@ -9,6 +9,7 @@
 
 #include "facies/base/error.hpp"
 #include "facies/mesh/surface.hpp"
+#include "facies/results/palette.hpp"
 
 namespace facies::results {
 
@@ -16,13 +17,14 @@ namespace {
 
 const double crease_cosine = std::cos(50.0 * std::numbers::pi / 180.0);
 
-/// Skin: neutral, light, a little warm. Inner side: tissue. Cut: the sides where the mesh ends.
+/// Of the faces: skin, inner side, where the mesh ends.
 enum Kind { skin, inside, cut };
-constexpr std::array<Colour, 3> kind_colours{
-    {{0.875F, 0.805F, 0.750F}, {0.66F, 0.47F, 0.43F}, {0.80F, 0.68F, 0.61F}}};
-constexpr Colour lid_colour{0.36F, 0.29F, 0.27F};
+constexpr std::array<Colour, 3> kind_colours{palette::skin, palette::inside, palette::rim};
 /// How far the middle of a lid lies behind its border [mm].
 constexpr double lid_depth = 6.0;
+/// The same for the curtain behind an open mouth: a disc, by this much wider than the mouth.
+constexpr double curtain_depth = 45.0;
+constexpr double curtain_width = 1.6;
 
 /// The closed lines that border a set of faces, all but the longest, as their nodes in order (the first one twice).
 std::vector<std::vector<Index>> shorter_borders(const mesh::Mesh& mesh,
@@ -62,12 +64,29 @@ std::vector<std::vector<Index>> shorter_borders(const mesh::Mesh& mesh,
   return borders;
 }
 
+/// Which of the holes has the most nodes of the face set "mouth"; their number where none has any.
+std::size_t find_mouth(const mesh::Mesh& mesh, const std::vector<std::vector<Index>>& holes) {
+  const std::vector<Index> nodes = mesh::face_set_nodes(mesh, mesh.faces("mouth"));
+  std::size_t mouth = holes.size();
+  std::ptrdiff_t most = 0;
+  for (std::size_t h = 0; h < holes.size(); ++h) {
+    const std::ptrdiff_t n = std::ranges::count_if(
+        holes[h], [&](Index node) { return std::ranges::binary_search(nodes, node); });
+    if (n > most) {
+      most = n;
+      mouth = h;
+    }
+  }
+  return mouth;
+}
+
 }  // namespace
 
 Shell::Shell(const mesh::Mesh& mesh)
     : mesh_(&mesh),
       faces_(mesh::boundary_faces(mesh)),
-      holes_(shorter_borders(mesh, mesh.faces("inner"))) {
+      holes_(shorter_borders(mesh, mesh.faces("inner"))),
+      mouth_(find_mouth(mesh, holes_)) {
   const std::vector<Vec3> normals = mesh::face_normals(mesh, faces_, mesh.X());
   const std::span<const mesh::Face> outer = mesh.faces("outer");
   const std::span<const mesh::Face> inner = mesh.faces("inner");
@@ -114,7 +133,7 @@ void Shell::add_face(std::size_t face, std::span<const std::vector<std::size_t>>
     triangles_.push_back({corners[0], corners[k - 1], corners[k]});
 }
 
-Surface Shell::pose(std::span<const Vec3> u, std::span<const double> node_values) const {
+Surface Shell::pose(std::span<const Vec3> u, std::span<const double> node_values, Lids lids) const {
   require(u.size() == mesh_->n_nodes(), "Shell: one displacement per node");
   require(node_values.empty() || node_values.size() == mesh_->n_nodes(),
           "Shell: one value per node, or none");
@@ -138,13 +157,14 @@ Surface Shell::pose(std::span<const Vec3> u, std::span<const double> node_values
     if (!node_values.empty())
       surface.values.push_back(static_cast<float>(node_values[at(vertex.node)]));
   }
-  for (const std::vector<Index>& hole : holes_)
-    add_lid(hole, x, surface);
+  for (std::size_t h = 0; lids != Lids::none && h < holes_.size(); ++h)
+    add_lid(holes_[h], x, lids == Lids::open_mouth && h == mouth_, surface);
   if (node_values.empty()) surface.values.clear();
   return surface;
 }
 
-void Shell::add_lid(std::span<const Index> hole, std::span<const Vec3> x, Surface& surface) {
+void Shell::add_lid(std::span<const Index> hole, std::span<const Vec3> x, bool is_curtain,
+                    Surface& surface) {
   Vec3 middle = Vec3::Zero();
   for (const Index node : hole.subspan(1))
     middle += x[at(node)] / static_cast<double>(hole.size() - 1);
@@ -152,19 +172,29 @@ void Shell::add_lid(std::span<const Index> hole, std::span<const Vec3> x, Surfac
   for (std::size_t i = 1; i < hole.size(); ++i) {
     inward += (x[at(hole[i])] - middle).cross(x[at(hole[i - 1])] - middle);
   }
-  inward.normalize();
+  // A mouth is a slit that follows the teeth: its own normal says little.
+  inward = is_curtain ? Vec3(Vec3::UnitX()) : Vec3(inward.normalized());
   const auto add = [&](const Vec3& position) {
     surface.positions.push_back(position.cast<float>());
     surface.normals.push_back((-inward).cast<float>());
     surface.round.push_back(false);
-    surface.colours.push_back(lid_colour);
+    surface.colours.push_back(palette::hollow);
     surface.values.push_back(std::numeric_limits<float>::quiet_NaN());
     return static_cast<std::uint32_t>(surface.positions.size() - 1);
   };
-  const std::uint32_t centre = add(middle + lid_depth * inward);
-  std::uint32_t before = add(x[at(hole[0])]);
+  const std::uint32_t centre = add(middle + (is_curtain ? curtain_depth : lid_depth) * inward);
+  double radius = 0.0;
+  for (const Index node : hole)
+    radius = std::max(radius, curtain_width * (x[at(node)] - middle).norm());
+  const auto add_border = [&](Index node) {
+    if (!is_curtain) return add(x[at(node)]);
+    Vec3 aside = x[at(node)] - middle;
+    aside.x() = 0.0;
+    return add(middle + curtain_depth * inward + radius * aside.normalized());
+  };
+  std::uint32_t before = add_border(hole[0]);
   for (std::size_t i = 1; i < hole.size(); ++i) {
-    const std::uint32_t here = add(x[at(hole[i])]);
+    const std::uint32_t here = add_border(hole[i]);
     surface.triangles.push_back({centre, before, here});
     before = here;
   }

@@ -8,6 +8,7 @@
 
 #include "facies/mechanics/state.hpp"
 #include "facies/mesh/mesh.hpp"
+#include "facies/mesh/triangle_surface.hpp"
 #include "facies/results/mechanism.hpp"
 
 namespace facies::results {
@@ -26,6 +27,15 @@ struct NamedMuscle {
   std::vector<Index> elements;
 };
 
+/// The surface of a bone, teeth included.
+struct BoneShape {
+  std::string name;               ///< "maxilla"
+  bool is_solid = true;           ///< false: an open sheet, without an inside that a cut could show
+  Index body = -1;                ///< rigid body that it moves with (State::bodies); -1: fixed
+  mesh::TriangleSurface surface;  ///< where it is while its body has not moved
+  std::vector<bool> is_tooth;     ///< of each vertex; empty: none is
+};
+
 /// Plain data about the face of a run; outlives everything that refers to it.
 struct Subject {
   const mesh::Mesh* mesh = nullptr;
@@ -34,7 +44,16 @@ struct Subject {
   std::vector<NamedNode> landmarks;
   std::vector<NamedPair> pairs;
   std::vector<NamedMuscle> muscles;  ///< in the order of Controls::activation
+  std::vector<BoneShape> bones;
+  std::vector<mechanics::RigidBody> bodies;  ///< as State::bodies
 };
+
+/// Where the point X [mm] of a bone is in a state; a state without bodies is one in which none has moved.
+[[nodiscard]] inline Vec3 place_of(const Subject& subject, const BoneShape& bone,
+                                   const mechanics::State& state, const Vec3& X) {
+  if (bone.body < 0 || at(bone.body) >= state.bodies.size()) return X;
+  return mechanics::place_of(subject.bodies.at(at(bone.body)), state.bodies[at(bone.body)], X);
+}
 
 /// A converged state at the end of a step or increment, with what is derived from it.
 struct Snapshot {

@@ -5,6 +5,8 @@
 
 #include "facies/base/checksum.hpp"
 #include "facies/base/files.hpp"
+#include "facies/results/anatomy_pictures.hpp"
+#include "facies/results/animation.hpp"
 #include "facies/results/closing_table.hpp"
 #include "facies/results/folder.hpp"
 #include "facies/results/pictures.hpp"
@@ -14,6 +16,35 @@
 #include "facies/scenario/write_scenario.hpp"
 
 namespace facies::scenario {
+
+namespace {
+
+/// Bones and teeth of a face with a jaw, where they are while the jaw has not moved.
+std::vector<results::BoneShape> bone_shapes(const anatomy::Jaw& jaw, const SettledJaw& settled) {
+  Problems problems;
+  std::vector<results::BoneShape> bones;
+  for (std::size_t s = 0; s < jaw.surfaces.size(); ++s) {
+    const anatomy::BoneSurface& file = jaw.surfaces[s];
+    if (file.kind == anatomy::SurfaceKind::cast) continue;
+    results::BoneShape& bone = bones.emplace_back();
+    bone.name = file.name;
+    bone.is_solid = file.kind == anatomy::SurfaceKind::solid;
+    bone.body = file.bone == jaw.mandible ? 0 : -1;
+    bone.surface = mesh::merge_coincident_vertices(mesh::read_obj(file.file, file.scale, problems));
+    bone.is_tooth.resize(bone.surface.X.size());
+    for (std::size_t v = 0; v < bone.surface.X.size(); ++v) {
+      Vec3& X = bone.surface.X[v];
+      bone.is_tooth[v] = std::ranges::any_of(jaw.crowns, [&](const anatomy::Crowns& crowns) {
+        return at(crowns.surface) == s && crowns.holds(X);
+      });
+      X = anchor_of(jaw, settled, {file.bone, X}).X;
+    }
+  }
+  problems.throw_if_any<DataError>();
+  return bones;
+}
+
+}  // namespace
 
 results::Subject make_subject(const FaceModel& model) {
   const anatomy::FaceAnatomy& face = model.face;
@@ -33,6 +64,8 @@ results::Subject make_subject(const FaceModel& model) {
     subject.pairs.push_back({pair.a, pair.b});
   for (const anatomy::Muscle& muscle : model.muscles)
     subject.muscles.push_back({muscle.name, muscle.elements});
+  if (model.jaw) subject.bones = bone_shapes(*face.jaw, *model.jaw);
+  subject.bodies.assign(model.model.bodies().begin(), model.model.bodies().end());
   return subject;
 }
 
@@ -51,6 +84,9 @@ results::Snapshot make_snapshot(const FaceModel& model, const mechanics::State& 
 }
 
 namespace {
+
+/// Of each view in an animation [pixels]: such files are large.
+constexpr int film_height = 560;
 
 /// For the terminal: the landmarks of the paper and what stands beside them (PH_buried beside PH); all of a face that
 /// has none of those. The tables in the folder hold every landmark.
@@ -137,6 +173,16 @@ const mechanics::State* Recorder::rest_state() const {
   return rest_ ? &snapshots_[*rest_].state : nullptr;
 }
 
+void Recorder::frame(results::Snapshot snapshot) {
+  if (snapshot.load == 0.0) films_.emplace_back();
+  const bool is_between = snapshot.load > 0.0 && snapshot.load < 1.0;
+  if (is_between && scenario_.output.fields == "steps")
+    fields_.add_frame(snapshot, rest_state(), static_cast<int>(films_.back().size()));
+  snapshot.sigma.clear();  // an animation shows none of it
+  snapshot.J.clear();
+  films_.back().push_back(std::move(snapshot));
+}
+
 void Recorder::step_ends(results::Snapshot snapshot, bool is_rest) {
   snapshots_.push_back(std::move(snapshot));
   if (is_rest) rest_ = snapshots_.size() - 1;
@@ -159,12 +205,17 @@ void Recorder::write_summary() const {
 
 void Recorder::draw(int threads) {
   if (snapshots_.empty() || !scenario_.output.pictures || !options_.pictures) return;
-  const results::PictureOptions options{
+  results::PictureOptions options{
       .title = scenario_.title.empty() ? scenario_.name : scenario_.title,
       .subject = model_.face.source,
       .threads = threads};
   const results::Snapshot* rest = rest_ ? &snapshots_[*rest_] : nullptr;
-  results::write_pictures(subject_, rest, snapshots_.back(), options_.out / "figures", options);
+  const std::filesystem::path folder = options_.out / "figures";
+  results::write_pictures(subject_, rest, snapshots_.back(), folder, options);
+  results::write_anatomy_pictures(subject_, snapshots_, folder, options);
+  options.height = film_height;
+  for (const std::vector<results::Snapshot>& film : films_)
+    if (film.size() > 1) results::write_animation(subject_, film, folder, options);
 }
 
 void Recorder::finish(results::Status status, const std::string& reason, Index element) {

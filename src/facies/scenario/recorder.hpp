@@ -35,6 +35,9 @@ class Recorder final : public solve::Observer {
   void increment_ends(const solve::Increment& increment, const solve::IncrementEnd& end) override;
   [[nodiscard]] bool stop_requested() const override { return listener_.stop_requested(); }
 
+  /// A state on the way through a step, from its beginning (load 0) to its end (load 1).
+  void frame(results::Snapshot snapshot);
+
   /// A step ended, here or before its load was whole. A step that expressions start from is the tensioned rest.
   void step_ends(results::Snapshot snapshot, bool is_rest);
 
@@ -66,6 +69,7 @@ class Recorder final : public solve::Observer {
   results::FieldWriter fields_;
   std::optional<results::RunLog> log_;
   std::vector<results::Snapshot> snapshots_;
+  std::vector<std::vector<results::Snapshot>> films_;  ///< frames of each step that has any
   std::optional<std::size_t> rest_;
   std::chrono::steady_clock::time_point start_, last_;
 };

@@ -81,7 +81,10 @@ results::Snapshot snapshot_of(const FaceModel& model, const Stepper& stepper,
 std::string take_steps(const FaceModel& model, const Scenario& scenario, Recorder& recorder) {
   Stepper stepper(model, scenario);
   for (std::size_t step = 0; step < scenario.steps.size(); ++step) {
-    const solve::StepReport report = stepper.take(static_cast<int>(step) + 1, recorder);
+    const auto frame = [&](double part) {
+      recorder.frame(snapshot_of(model, stepper, scenario, step, part));
+    };
+    const solve::StepReport report = stepper.take(static_cast<int>(step) + 1, recorder, frame);
     results::Snapshot snapshot = snapshot_of(model, stepper, scenario, step, report.reached);
     const bool failed = !report.converged && !report.interrupted;
     const Index element = failed ? worst_element(model, snapshot, report.last) : -1;

@@ -112,6 +112,7 @@ struct SolverChoice {
 struct OutputChoice {
   bool pictures = true;
   std::string fields = "steps";  ///< field files: "none", of the "last" state, or after all "steps"
+  int frames = 0;  ///< equal parts that express and open_jaw steps go in, each a frame; 0: none
 
   friend bool operator==(const OutputChoice&, const OutputChoice&) = default;
 };

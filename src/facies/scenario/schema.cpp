@@ -191,6 +191,13 @@ std::vector<Field> run_fields() {
        {.doc = "Field files for ParaView: none, of the last state, or after all steps.",
         .choices = {"none", "last", "steps"}},
        [](Scenario& s) { return &s.output.fields; }},
+      {"output.frames",
+       {.doc = "Steps `express` and `open_jaw` go in at least this many equal parts. Each ends in "
+               "equilibrium and is "
+               "a frame of an animation and, with `fields: steps`, a field file. 0: no frames.",
+        .minimum = 0,
+        .maximum = 240},
+       [](Scenario& s) { return &s.output.frames; }},
   };
 }
 

@@ -28,13 +28,22 @@ void Stepper::hold(const std::vector<Index>& unknowns) {
 }
 
 solve::StepReport Stepper::drive(const mechanics::Controls& from, const mechanics::Controls& to,
-                                 const solve::Increment& label, solve::Observer& observer) {
+                                 const solve::Increment& label, solve::Observer& observer,
+                                 const FrameListener& frame_reached) {
+  const int frames = frame_reached ? scenario_.output.frames : 0;
+  if (frames > 0) frame_reached(0.0);
   std::vector<double> places;
   places.reserve(equilibrium_->prescribed().size());
   for (const Index dof : equilibrium_->prescribed())
     places.push_back(model_.model.value_of(state_, dof));
-  solve::StepReport report = solve::advance(*equilibrium_, state_, from, to, places,
-                                            step_settings(scenario_.solver), label, observer);
+  solve::StepSettings settings = step_settings(scenario_.solver);
+  settings.stops = std::max(frames, 1);
+  const auto at_stop = [&](double part) {
+    controls_ = mechanics::interpolate(from, to, part);
+    if (frames > 0) frame_reached(part);
+  };
+  solve::StepReport report =
+      solve::advance(*equilibrium_, state_, from, to, places, settings, label, observer, at_stop);
   controls_ = mechanics::interpolate(from, to, report.reached);
   return report;
 }
@@ -78,27 +87,30 @@ solve::StepReport Stepper::let_go(const mechanics::Controls& to, const solve::In
 }
 
 solve::StepReport Stepper::express(const ExpressStep& step, const solve::Increment& label,
-                                   solve::Observer& observer) {
+                                   solve::Observer& observer, const FrameListener& frame_reached) {
   if (!equilibrium_) hold(model_.held_after_release);
   mechanics::Controls to = controls_;
   to.gravity = scenario_.gravity.vector();
   for (std::size_t m = 0; m < model_.muscles.size(); ++m) {
     to.activation[m] = activation_of(step, model_.muscles[m].name, model_.muscles[m].group);
   }
-  return drive(controls_, to, label, observer);
+  const mechanics::Controls from = controls_;
+  return drive(from, to, label, observer, frame_reached);
 }
 
 solve::StepReport Stepper::open_jaw(const OpenJawStep& step, const solve::Increment& label,
-                                    solve::Observer& observer) {
+                                    solve::Observer& observer, const FrameListener& frame_reached) {
   if (!equilibrium_) hold(model_.held_after_release);
   mechanics::Controls to = controls_;
   to.gravity = scenario_.gravity.vector();
   require(model_.face.jaw.has_value(), "names on the face have been checked");
   to.excitation = excite(*model_.face.jaw, step.excitations, controls_.excitation);
-  return drive(controls_, to, label, observer);
+  const mechanics::Controls from = controls_;
+  return drive(from, to, label, observer, frame_reached);
 }
 
-solve::StepReport Stepper::take(int number, solve::Observer& observer) {
+solve::StepReport Stepper::take(int number, solve::Observer& observer,
+                                const FrameListener& frame_reached) {
   const Step& step = scenario_.steps.at(static_cast<std::size_t>(number - 1));
   solve::Increment label;
   label.step = step_name(step);
@@ -107,8 +119,8 @@ solve::StepReport Stepper::take(int number, solve::Observer& observer) {
   if (std::holds_alternative<TensionStep>(step)) return tension(label, observer);
   if (std::holds_alternative<ReleaseStep>(step)) return release(label, observer);
   if (std::holds_alternative<OpenJawStep>(step))
-    return open_jaw(std::get<OpenJawStep>(step), label, observer);
-  return express(std::get<ExpressStep>(step), label, observer);
+    return open_jaw(std::get<OpenJawStep>(step), label, observer, frame_reached);
+  return express(std::get<ExpressStep>(step), label, observer, frame_reached);
 }
 
 }  // namespace facies::scenario

@@ -2,6 +2,7 @@
 #include "facies/solve/step.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "facies/base/error.hpp"
 
@@ -31,12 +32,18 @@ mechanics::State extrapolate(const mechanics::State& before, const mechanics::St
   return guess;
 }
 
+/// The first k / stops beyond a part of the step.
+double next_stop(double reached, int stops) {
+  const double k = std::floor(reached * stops + 1e-9) + 1.0;
+  return std::min(k / stops, 1.0);
+}
+
 }  // namespace
 
 StepReport advance(Equilibrium& equilibrium, mechanics::State& state,
                    const mechanics::Controls& from, const mechanics::Controls& to,
                    std::span<const double> targets, const StepSettings& settings,
-                   const Increment& label, Observer& observer) {
+                   const Increment& label, Observer& observer, const StopListener& stop_reached) {
   const std::vector<double> start = current_values(equilibrium, state);
   mechanics::State before;  // the converged state before `state`; empty at first
   double last_size = 0.0;
@@ -45,7 +52,9 @@ StepReport advance(Equilibrium& equilibrium, mechanics::State& state,
   Increment increment = label;
   for (increment.number = 1; increment.number <= settings.max_increments; ++increment.number) {
     increment.from = report.reached;
-    increment.to = report.reached + size > 1.0 - 1e-9 ? 1.0 : report.reached + size;
+    const double stop = next_stop(report.reached, settings.stops);
+    const bool is_stop = report.reached + size > stop - 1e-9;
+    increment.to = is_stop ? stop : report.reached + size;
     const mechanics::Controls controls = mechanics::interpolate(from, to, increment.to);
     std::vector<double> values(targets.begin(), targets.end());
     for (std::size_t k = 0; k < values.size(); ++k)
@@ -56,7 +65,9 @@ StepReport advance(Equilibrium& equilibrium, mechanics::State& state,
     if (!before.u.empty()) {
       mechanics::State guess =
           extrapolate(before, state, (increment.to - increment.from) / last_size);
-      if (equilibrium.residual_norm(guess, controls) < equilibrium.residual_norm(state, controls)) {
+      const bool free_way = equilibrium.model().longest_step(state, guess) == 1.0;
+      if (free_way &&
+          equilibrium.residual_norm(guess, controls) < equilibrium.residual_norm(state, controls)) {
         trial = std::move(guess);
       }
     }
@@ -83,6 +94,7 @@ StepReport advance(Equilibrium& equilibrium, mechanics::State& state,
       report.reached = increment.to;
       before = std::move(state);
       state = std::move(trial);
+      if (is_stop && stop_reached) stop_reached(report.reached);
       if (report.reached >= 1.0) {
         report.converged = true;
         return report;

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "facies/results/stage.hpp"
+
+namespace facies::results {
+
+namespace {
+
+/// How dense the skin is when one looks through it, and bones that are given as open sheets.
+constexpr float skin_density = 0.25F;
+constexpr float shell_density = 0.12F;
+
+}  // namespace
+
+Stage::Stage(const Subject& subject, int threads)
+    : subject_(&subject), threads_(threads), shell_(*subject.mesh), tissue_(subject) {
+  for (const BoneShape& bone : subject.bones)
+    bones_.emplace_back(surface_of(bone), threads);
+}
+
+std::vector<Actor> Stage::bones_in(const mechanics::State& state) const {
+  std::vector<Actor> actors;
+  for (std::size_t b = 0; b < bones_.size(); ++b) {
+    actors.push_back(carried(bones_[b], subject_->bones[b], *subject_, state));
+    if (!subject_->bones[b].is_solid) actors.back().density = shell_density;
+  }
+  return actors;
+}
+
+std::vector<Image> Stage::take(std::span<const Actor> actors, std::span<const View> views) const {
+  std::vector<Image> images;
+  for (const View& view : views)
+    images.push_back(render(actors, view.camera, {}, threads_));
+  return images;
+}
+
+Scene Stage::in_light(const mechanics::State& state, std::span<const double> node_values) const {
+  const Lids lids = subject_->bones.empty() ? Lids::all : Lids::open_mouth;
+  Surface surface = shell_.pose(state.u, node_values, lids);
+  for (const BoneShape& bone : subject_->bones) {
+    if (bone.is_solid) append(surface, surface_of(bone, *subject_, state));
+  }
+  return {std::move(surface), threads_};
+}
+
+std::vector<Image> Stage::through_skin(const mechanics::State& state,
+                                       std::span<const View> views) const {
+  const Scene skin(shell_.pose(state.u, {}, Lids::none), threads_);
+  std::vector<Actor> actors = bones_in(state);
+  actors.push_back({.scene = &skin, .density = skin_density});
+  return take(actors, views);
+}
+
+std::vector<Image> Stage::cut_open(const mechanics::State& state,
+                                   std::span<const View> views) const {
+  const Scene tissue(tissue_.pose(state.u), threads_);
+  std::vector<Actor> actors = {{.scene = &tissue}};
+  for (const Actor& bone : bones_in(state)) {
+    if (bone.density == 1.0F) actors.push_back(bone);
+  }
+  return take(actors, views);
+}
+
+}  // namespace facies::results
