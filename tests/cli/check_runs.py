@@ -69,6 +69,16 @@ class Runs(unittest.TestCase):
         self.assertEqual(checksum, "sha256:" + hashlib.sha256(pathlib.Path(scenario).read_bytes()).hexdigest())
         self.assert_readable(out)
 
+    def test_motions_give_the_same_bytes_for_any_number_of_threads(self):
+        for name, threads in (("one", 1), ("three", 3)):
+            done = facies("run", "patch-twitch", "--face", "patch:width=30,height=30,ny=4,nz=4", "--no-pictures",
+                          "--out", self.folder / name, "--threads", threads)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        one = files_of(self.folder / "one")
+        self.assertLessEqual({"motion.csv", "energy.csv", "motion.pvd"}, {str(path) for path in one})
+        self.assertEqual(one, files_of(self.folder / "three"))
+        self.assert_readable(self.folder / "one")
+
     def test_two_runs_give_the_same_bytes_for_any_number_of_threads(self):
         for name, threads in (("one", 1), ("two", 2), ("three", 3)):
             done = facies("run", "patch-stretch", "--out", self.folder / name, "--threads", threads)

@@ -62,6 +62,10 @@ std::filesystem::path FieldWriter::add(const Snapshot& snapshot, const mechanics
       {snapshot.step_number - 1 + snapshot.load, name,
        fmt::format("step {} {}, load {}", snapshot.step_number, snapshot.step, snapshot.load)});
   mesh::write_pvd(folder_ / "fields.pvd", entries_);
+  if (snapshot.time) {
+    frames_.push_back({*snapshot.time, name, entries_.back().remark});
+    mesh::write_pvd(folder_ / "motion.pvd", frames_);
+  }
   return name;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// fields/<nn>-<step>.vtu and fields.pvd: everything known on nodes and elements, for ParaView and meshio.
+// fields/<nn>-<step>.vtu, fields.pvd and motion.pvd: everything known on nodes and elements, for ParaView and meshio.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ class FieldWriter {
   FieldWriter(const Subject& subject, std::filesystem::path folder)
       : subject_(&subject), folder_(std::move(folder)) {}
 
-  /// Adds one file and lists it in fields.pvd, at time (number of finished steps + part of this one). `rest`: the state
+  /// Adds one file and lists it in fields.pvd, at time (number of finished steps + part of this one); one with a time in motion.pvd as well, at that time [s]. `rest`: the state
   /// that displacement_from_rest_mm counts from; nullptr: the mesh as read. Returns the file's name within the folder.
   /// Throws UsageError where it cannot be written.
   std::filesystem::path add(const Snapshot& snapshot, const mechanics::State* rest);
@@ -25,6 +25,7 @@ class FieldWriter {
   const Subject* subject_;
   std::filesystem::path folder_;
   std::vector<mesh::SeriesEntry> entries_;
+  std::vector<mesh::SeriesEntry> frames_;
 };
 
 /// What a file holds on nodes: displacement_mm (from the mesh as read), displacement_from_rest_mm.

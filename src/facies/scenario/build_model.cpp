@@ -6,6 +6,7 @@
 
 #include "facies/mechanics/loads.hpp"
 #include "facies/mesh/surface.hpp"
+#include "facies/scenario/motion_model.hpp"
 
 namespace facies::scenario {
 
@@ -186,8 +187,8 @@ std::unique_ptr<FaceModel> build_model(anatomy::FaceAnatomy face, const Scenario
   assign_fibres(built->muscles, scenario.muscle, description);
   description.F0.assign(mesh.n_elements(), tsf * Mat3::Identity());
   const std::vector<double> density(mesh.n_elements(), scenario.density);
-  built->model.add(std::make_unique<mechanics::Gravity>(
-      mechanics::lumped_mass(mesh, density, description.F0), built->model.bodies()));
+  std::vector<double> mass = mechanics::lumped_mass(mesh, density, description.F0);
+  built->model.add(std::make_unique<mechanics::Gravity>(mass, built->model.bodies()));
   built->model.add(std::make_unique<mechanics::NodalForces>());
   built->solid =
       &built->model.add(std::make_unique<mechanics::Solid>(mesh, std::move(description), threads));
@@ -203,6 +204,7 @@ std::unique_ptr<FaceModel> build_model(anatomy::FaceAnatomy face, const Scenario
   check_supports(*built);
   built->initial = built->model.initial_state();
   add_contacts(*built, scenario.contact);
+  if (has_dynamics(scenario)) add_dynamics(*built, scenario.dynamics, std::move(mass));
   return built;
 }
 

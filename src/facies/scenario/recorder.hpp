@@ -35,6 +35,11 @@ class Recorder final : public solve::Observer {
   void increment_ends(const solve::Increment& increment, const solve::IncrementEnd& end) override;
   [[nodiscard]] bool stop_requested() const override { return listener_.stop_requested(); }
 
+  void time_step_done(const solve::Motion& motion) override;
+
+  /// A state of a move step, which has a time.
+  void frame(const results::Snapshot& snapshot);
+
   /// A step ended, here or before its load was whole. A step that expressions start from is the tensioned rest.
   void step_ends(results::Snapshot snapshot, bool is_rest);
 
@@ -67,6 +72,8 @@ class Recorder final : public solve::Observer {
   std::optional<results::RunLog> log_;
   std::vector<results::Snapshot> snapshots_;
   std::optional<std::size_t> rest_;
+  std::string motion_;  // rows of motion.csv
+  std::string energy_;  // rows of energy.csv
   std::chrono::steady_clock::time_point start_, last_;
 };
 

@@ -22,7 +22,8 @@ int choose_threads(const Scenario& scenario, const RunOptions& options) {
 /// The state that expressions are measured from: after a release, or whatever comes right before the first expression.
 bool is_rest(const Scenario& scenario, std::size_t step) {
   const auto expresses = [](const Step& kind) {
-    return std::holds_alternative<ExpressStep>(kind) || std::holds_alternative<OpenJawStep>(kind);
+    return std::holds_alternative<ExpressStep>(kind) || std::holds_alternative<OpenJawStep>(kind) ||
+           std::holds_alternative<MoveStep>(kind);
   };
   if (expresses(scenario.steps[step])) return false;
   const bool last = step + 1 == scenario.steps.size();
@@ -74,6 +75,7 @@ results::Snapshot snapshot_of(const FaceModel& model, const Stepper& stepper,
   snapshot.step = step_name(scenario.steps[step]);
   snapshot.step_number = static_cast<int>(step) + 1;
   snapshot.load = load;
+  if (std::holds_alternative<MoveStep>(scenario.steps[step])) snapshot.time = stepper.time();
   return snapshot;
 }
 
@@ -81,7 +83,9 @@ results::Snapshot snapshot_of(const FaceModel& model, const Stepper& stepper,
 std::string take_steps(const FaceModel& model, const Scenario& scenario, Recorder& recorder) {
   Stepper stepper(model, scenario);
   for (std::size_t step = 0; step < scenario.steps.size(); ++step) {
-    const solve::StepReport report = stepper.take(static_cast<int>(step) + 1, recorder);
+    const solve::StepReport report = stepper.take(
+        static_cast<int>(step) + 1, recorder,
+        [&](double part) { recorder.frame(snapshot_of(model, stepper, scenario, step, part)); });
     results::Snapshot snapshot = snapshot_of(model, stepper, scenario, step, report.reached);
     const bool failed = !report.converged && !report.interrupted;
     const Index element = failed ? worst_element(model, snapshot, report.last) : -1;

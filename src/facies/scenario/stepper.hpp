@@ -2,10 +2,12 @@
 // Carries out the steps of a scenario on a model: what each verb holds, drives and releases.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "facies/scenario/build_model.hpp"
+#include "facies/solve/motion.hpp"
 #include "facies/solve/step.hpp"
 
 namespace facies::scenario {
@@ -19,11 +21,17 @@ class Stepper {
   /// Both must outlive the stepper. Needs a solve::Session.
   Stepper(const FaceModel& model, const Scenario& scenario);
 
+  /// Told of each state of a move step that is to be recorded, with the part of the step that is done, from 0 to 1.
+  using FrameListener = std::function<void(double part)>;
+
   /// Carries out step `number` (from 1).
-  [[nodiscard]] solve::StepReport take(int number, solve::Observer& observer);
+  [[nodiscard]] solve::StepReport take(int number, solve::Observer& observer,
+                                       const FrameListener& frame_reached);
 
   [[nodiscard]] const mechanics::State& state() const { return state_; }
   [[nodiscard]] const mechanics::Controls& controls() const { return controls_; }
+  /// Seconds that the move steps so far have taken.
+  [[nodiscard]] double time() const { return time_; }
 
  private:
   [[nodiscard]] solve::StepReport tension(const solve::Increment& label, solve::Observer& observer);
@@ -32,6 +40,13 @@ class Stepper {
                                           solve::Observer& observer);
   [[nodiscard]] solve::StepReport open_jaw(const OpenJawStep& step, const solve::Increment& label,
                                            solve::Observer& observer);
+  [[nodiscard]] solve::StepReport move(const MoveStep& step, const solve::Increment& label,
+                                       solve::Observer& observer,
+                                       const FrameListener& frame_reached);
+  [[nodiscard]] solve::StepReport move_quasi_statically(const MoveStep& step,
+                                                        const solve::Increment& label,
+                                                        solve::Observer& observer,
+                                                        const FrameListener& frame_reached);
   [[nodiscard]] solve::StepReport drive(const mechanics::Controls& from,
                                         const mechanics::Controls& to,
                                         const solve::Increment& label, solve::Observer& observer);
@@ -44,6 +59,7 @@ class Stepper {
   const Scenario& scenario_;
   mechanics::State state_;
   mechanics::Controls controls_;
+  double time_ = 0.0;
   std::unique_ptr<solve::Equilibrium> equilibrium_;
 };
 
