@@ -25,8 +25,8 @@ class Stepper {
   using FrameListener = std::function<void(double part)>;
 
   /// Carries out step `number` (from 1).
-  [[nodiscard]] solve::StepReport take(int number, solve::Observer& observer,
-                                       const FrameListener& frame_reached);
+  [[nodiscard]] solve::StepReport take(
+      int number, solve::Observer& observer, const FrameListener& frame_reached = [](double) {});
 
   [[nodiscard]] const mechanics::State& state() const { return state_; }
   [[nodiscard]] const mechanics::Controls& controls() const { return controls_; }
