@@ -116,6 +116,18 @@ class Runs(unittest.TestCase):
             self.assertIn(expected, done.stderr)
             self.assertFalse((self.folder / "out").exists())
 
+    def test_motions_give_the_same_bytes_for_any_number_of_threads(self):
+        for name, threads in (("one", 1), ("three", 3)):
+            done = facies("run", "patch-twitch", "--face", "patch:width=30,height=30,ny=4,nz=4", "--no-pictures",
+                          "--out", self.folder / name, "--threads", threads)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        one, three = (files_of(self.folder / name) for name in ("one", "three"))
+        self.assertLessEqual({"motion.csv", "energy.csv", "motion.pvd"}, {str(path) for path in one})
+        for path in (pathlib.Path("scenario.yaml"), pathlib.Path("summary.json")):  # they say how many threads
+            del one[path], three[path]
+        self.assertEqual(one, three)
+        self.assert_readable(self.folder / "one")
+
     def test_two_runs_give_the_same_bytes_for_any_number_of_threads(self):
         for name, threads in (("one", 1), ("two", 2), ("three", 3)):
             done = facies("run", "patch-stretch", "--out", self.folder / name, "--threads", threads)

@@ -44,6 +44,34 @@ TEST_F(Run, CanBeRepeatedFromTheScenarioItLeaves) {
   }
 }
 
+TEST_F(Run, MovesInTimeAndRecordsIt) {
+  write("curves.csv", "time_s,STRIP\n0,0\n0.05,0.4\n0.1,0.4\n");
+  write("move.yaml",
+        "face: patch:width=30,height=30,ny=4,nz=4\noutput: {pictures: false}\n"
+        "steps:\n  - move: {duration: 0.1 s, frames: 4, curves: curves.csv}\n");
+  const Outcome outcome = facies("run move.yaml --out here");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(read_file(folder() / "here/motion.csv"), HasSubstr("\nmove,0.025,CENTER,"));
+  EXPECT_THAT(read_file(folder() / "here/energy.csv"), HasSubstr("\nmove,0.1,"));
+  EXPECT_THAT(read_file(folder() / "here/motion.pvd"),
+              AllOf(HasSubstr("timestep=\"0.05\""), HasSubstr("fields/05-move.vtu")));
+  EXPECT_THAT(read_file(folder() / "here/summary.json"), HasSubstr("curves.csv"));
+  EXPECT_EQ(facies("run here/scenario.yaml --out again").status, 0);
+  for (const char* file : {"/motion.csv", "/energy.csv", "/scenario.yaml"}) {
+    EXPECT_EQ(read_file(folder() / ("here" + std::string(file))),
+              read_file(folder() / ("again" + std::string(file))));
+  }
+}
+
+TEST_F(Run, EndsWithStatus5WhereAMotionCannotGoOn) {
+  const Outcome outcome = facies(
+      "run patch-twitch --face patch:width=30,height=30,ny=4,nz=4 --no-pictures "
+      "--set 'dynamics.tolerance=1e-9 mm' --set 'dynamics.smallest_step=0.5 ms'");
+  EXPECT_EQ(outcome.status, 5);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("move did not converge"), HasSubstr("the error is"),
+                                 HasSubstr("even in a step of")));
+}
+
 TEST_F(Run, ReplacesResultsOnlyWhenForced) {
   ASSERT_EQ(facies(small + "--out here").status, 0);
   const Outcome refused = facies(small + "--out here");

@@ -157,9 +157,10 @@ TEST_F(Folder, OnAFullDiskIsRefusedAndLeftAsItWas) {
 }
 
 TEST(ResultFile, IsKnownByItsName) {
-  for (const char* name : {"scenario.yaml", "summary.json", "landmarks.csv", "fields.pvd",
-                           "fields/12-open_jaw.vtu", "figures/overview.png", "figures/plot-2.svg",
-                           "log.jsonl", "convergence.txt", "report.html", "summary.json.part"}) {
+  for (const char* name :
+       {"scenario.yaml", "summary.json", "landmarks.csv", "fields.pvd", "motion.pvd", "motion.csv",
+        "energy.csv", "fields/12-open_jaw.vtu", "figures/overview.png", "figures/plot-2.svg",
+        "log.jsonl", "convergence.txt", "report.html", "summary.json.part"}) {
     EXPECT_TRUE(is_result_file(name)) << name;
   }
   for (const char* name :

@@ -108,10 +108,10 @@ const Case steps[] = {
      "x.yaml:1:1: no steps; expected steps: a list of tension, release, express, open_jaw\n"},
     {"EmptySteps", "steps: []\n",
      "x.yaml:1:8: no steps; expected a list of steps, each of them one of: tension, release, "
-     "express, open_jaw\n"},
+     "express, open_jaw, move\n"},
     {"StepsAreAMapping", "steps: {tension: {tsf: 1.1}}\n",
      "x.yaml:1:8: a mapping; expected a list of steps, each of them one of: tension, release, "
-     "express, open_jaw\n"},
+     "express, open_jaw, move\n"},
     {"TwoNamesInOneStep", "steps:\n  - tension: {tsf: 1.1}\n    release: {}\n",
      "x.yaml:2:5: a step with 2 names; expected a step such as 'tension: {tsf: 1.10}'\n"
      "    each step begins with its own '-'\n"},

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "facies/base/error.hpp"
+#include "facies/mechanics/attachment.hpp"
 #include "facies/solve/newton.hpp"
 
 namespace facies::solve {
@@ -221,6 +222,21 @@ TEST_F(Bar, MayHaveNothingFree) {
 TEST_F(Bar, NeedsAValueForEveryPrescribedUnknown) {
   Equilibrium equilibrium(bar_.model, clamped_.dofs);
   EXPECT_THROW((void)equilibrium.solve(state_, {}, std::vector<double>(3), {}), BugError);
+}
+
+TEST(Newton, TellsTheResidualItselfWhereNothingIsALoad) {
+  mechanics::Model model(1);
+  const Vec3 X(10, 0, 0);
+  model.add(std::make_unique<mechanics::Attachment>(
+      model,
+      std::vector<mechanics::Attachment::Tie>{
+          {mechanics::Anchor::on_node(0, X), mechanics::Anchor::in_space({0, 0, 0})}},
+      100.0));
+  mechanics::State state = model.initial_state();
+  state.u[0] = {1, 2, 3};
+  const NewtonReport report = solve_equilibrium(model, state, {}, {}, {.max_iterations = 0});
+  EXPECT_FALSE(report.converged);
+  EXPECT_EQ(report.reason, "residual still 3.7e+02 mN after 0 iterations");
 }
 
 }  // namespace

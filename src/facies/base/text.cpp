@@ -95,7 +95,7 @@ std::vector<std::string_view> split(std::string_view line, char separator) {
 
 std::string_view trim(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
+  if (begin == std::string_view::npos) return text.substr(0, 0);  // still a place in a text
   return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 

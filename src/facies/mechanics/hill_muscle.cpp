@@ -10,6 +10,7 @@
 
 #include "facies/base/error.hpp"
 #include "facies/math/smooth_ramp.hpp"
+#include "facies/mechanics/line_force.hpp"
 
 namespace facies::mechanics {
 
@@ -84,12 +85,8 @@ HillMuscles::HillMuscles(const Model& model, std::vector<HillMuscle> muscles)
   problems.throw_if_any<DataError>();
 }
 
-Vec3 HillMuscles::direction(const State& state, std::size_t m) const {
-  return place_of(model_, state, muscles_[m].a) - place_of(model_, state, muscles_[m].b);
-}
-
 double HillMuscles::length(const State& state, std::size_t m) const {
-  return direction(state, m).norm();
+  return line_between(model_, state, muscles_[m].a, muscles_[m].b).norm();
 }
 
 HillForce HillMuscles::evaluate(const State& state, const Controls& controls, std::size_t m) const {
@@ -115,9 +112,7 @@ bool HillMuscles::add_residual(const State& state, const Controls& controls, std
   for (const std::size_t m : moving_) {
     const HillForce hill = evaluate(state, controls, m);
     if (hill.force == 0.0) continue;  // so is every muscle whose ends meet
-    const Vec3 pull = hill.force * direction(state, m).normalized();
-    add_gradient(model_, state, muscles_[m].a, pull, r);
-    add_gradient(model_, state, muscles_[m].b, -pull, r);
+    add_tension(model_, state, muscles_[m].a, muscles_[m].b, hill.force, r);
   }
   return true;
 }
@@ -132,17 +127,8 @@ void HillMuscles::add_tangent(const State& state, const Controls& controls, Tang
     const std::size_t m = moving_[k];
     const HillForce hill = evaluate(state, controls, m);
     if (hill.force == 0.0 && hill.stiffness == 0.0) continue;
-    const Vec3 n = direction(state, m).normalized();
-    const Mat3 along = n * n.transpose();
-    const Mat3 H =
-        hill.stiffness * along + hill.force / length(state, m) * (Mat3::Identity() - along);
-    const Vec3 pull = hill.force * n;
-    Eigen::Vector<double, 6> gradient;
-    gradient << pull, -pull;
-    Eigen::Matrix<double, 6, 6> hessian;
-    hessian << H, -H, -H, H;
     const Eigen::MatrixXd block =
-        pull_back(model_, state, std::array{muscles_[m].a, muscles_[m].b}, gradient, hessian);
+        tension_tangent(model_, state, muscles_[m].a, muscles_[m].b, hill.force, hill.stiffness);
     K.add(k, {block.data(), static_cast<std::size_t>(block.size())});
   }
 }

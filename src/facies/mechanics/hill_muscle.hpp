@@ -61,7 +61,6 @@ class HillMuscles final : public Term {
  private:
   [[nodiscard]] HillForce evaluate(const State& state, const Controls& controls,
                                    std::size_t m) const;
-  [[nodiscard]] Vec3 direction(const State& state, std::size_t m) const;
 
   const Model& model_;
   std::vector<HillMuscle> muscles_;

@@ -24,6 +24,16 @@ bool Model::residual(const State& state, const Controls& controls, std::span<dou
                      [&](const auto& term) { return term->add_residual(state, controls, r, why); });
 }
 
+void Model::damping(const State& state, const Controls& controls, std::span<double> r) const {
+  require(r.size() == n_dofs(), "a residual has one entry per unknown");
+  std::fill(r.begin(), r.end(), 0.0);
+  for (const auto& term : terms_) {
+    if (!term->dissipates()) continue;
+    const bool admissible = term->add_residual(state, controls, r, nullptr);
+    require(admissible, "damping is asked for at admissible states");
+  }
+}
+
 State Model::moved(const State& state, std::span<const double> increments, double ratio) const {
   require(increments.size() == n_dofs(), "increments have one entry per unknown");
   State after = state;

@@ -57,6 +57,9 @@ class Model {
   [[nodiscard]] bool residual(const State& state, const Controls& controls, std::span<double> r,
                               Inadmissible* why = nullptr) const;
 
+  /// That part of the residual which takes energy out of a motion [n_dofs] [mN]; the state is admissible.
+  void damping(const State& state, const Controls& controls, std::span<double> r) const;
+
   /// Where an admissible state lies beyond what the laws hold for (Term::overgrown); element -1: nowhere.
   [[nodiscard]] Inadmissible overgrown(const State& state) const;
 

@@ -2,12 +2,15 @@
 // What moves (State), what drives it (Controls), and which unknowns are given (Prescribed).
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "facies/base/index.hpp"
 #include "facies/mechanics/rigid_body.hpp"
 
 namespace facies::mechanics {
+
+struct TimeStep;
 
 /// Everything that moves during a run. A value: copy it, save it, restore it.
 struct State {
@@ -22,10 +25,11 @@ struct Controls {
   Vec3 gravity = Vec3::Zero();     ///< acceleration of the tissue [mm/s^2]
   Vec3 body_gravity = Vec3::Zero();  ///< acceleration of rigid bodies [mm/s^2]
   std::vector<Vec3> nodal_force;     ///< external force on each node [mN]; empty: none
+  std::shared_ptr<const TimeStep> time_step = {};  ///< that the state ends; none in statics
 };
 
 /// Controls on the straight line from `a` (s = 0) to `b` (s = 1). Where excitation or nodal_force is empty
-/// it counts as zero.
+/// it counts as zero. Of statics: no time step.
 [[nodiscard]] Controls interpolate(const Controls& a, const Controls& b, double s);
 
 /// Unknown number 3*node + axis. The six unknowns of each rigid body come after those of all nodes (Model::body_dof).

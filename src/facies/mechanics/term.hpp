@@ -97,6 +97,12 @@ class Term {
   /// Adds K [mN/mm] group by group. Only called for admissible states.
   virtual void add_tangent(const State& /*state*/, const Controls& /*controls*/,
                            TangentSink& /*K*/) const {}
+
+  /// Whether its forces take energy out of a motion and are no other kind of force.
+  [[nodiscard]] virtual bool dissipates() const { return false; }
+
+  /// Puts into TimeStep::kept what it has to keep from the state and the controls at the beginning of a step.
+  virtual void begin(const Controls& /*controls*/, TimeStep& /*step*/) const {}
 };
 
 }  // namespace facies::mechanics

@@ -102,6 +102,10 @@ void FieldWriter::write(const Snapshot& snapshot, const mechanics::State* rest,
                   node_fields(*subject_, snapshot, rest), element_fields(*subject_, snapshot));
   entries_.push_back(entry);
   mesh::write_pvd(folder_ / "fields.pvd", entries_);
+  if (snapshot.time) {
+    frames_.push_back({*snapshot.time, entry.file, entry.remark});
+    mesh::write_pvd(folder_ / "motion.pvd", frames_);
+  }
   if (!subject_->bones.empty()) write_bones(snapshot, entry, name);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// fields/<nn>-<step>.vtu and fields.pvd: everything known on nodes and elements, for ParaView and meshio; the bones beside it.
+// fields/<nn>-<step>.vtu, fields.pvd and motion.pvd: everything known on nodes and elements, for ParaView and meshio; the
+// bones beside it.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +17,7 @@ class FieldWriter {
   FieldWriter(const Subject& subject, std::filesystem::path folder)
       : subject_(&subject), folder_(std::move(folder)) {}
 
-  /// Adds one file and lists it in fields.pvd, at time (number of finished steps + part of this one). `rest`: the state
+  /// Adds one file and lists it in fields.pvd, at time (number of finished steps + part of this one); one with a time in motion.pvd as well, at that time [s]. `rest`: the state
   /// that displacement_from_rest_mm counts from; nullptr: the mesh as read. Returns the file's name within the folder.
   /// Bones that move get a file for each state, the others one for all; bones.pvd lists both.
   /// Throws UsageError where it cannot be written.
@@ -34,7 +35,7 @@ class FieldWriter {
   const Subject* subject_;
   std::filesystem::path folder_;
   int n_steps_ = 0;  ///< files of ends of steps so far
-  std::vector<mesh::SeriesEntry> entries_, bones_;
+  std::vector<mesh::SeriesEntry> entries_, bones_, frames_;
 };
 
 /// What a file holds on nodes: displacement_mm (from the mesh as read), displacement_from_rest_mm.

@@ -110,8 +110,8 @@ void make_new(const fs::path& folder) {
 
 bool is_result_file(const std::string& relative) {
   static const std::regex names(
-      "(scenario\\.yaml|summary\\.json|landmarks\\.csv|distances\\.csv|tension\\.csv|fields\\.pvd|"
-      "bones\\.pvd|"
+      "(scenario\\.yaml|summary\\.json|landmarks\\.csv|distances\\.csv|tension\\.csv|motion\\.csv|"
+      "energy\\.csv|(fields|motion|bones)\\.pvd|"
       "report\\.html|log\\.jsonl|"
       "convergence\\.txt|fields/([0-9]{2,}-[A-Za-z0-9_-]+|bones-fixed)\\.vtu|figures/"
       "[A-Za-z0-9_-]+\\.(png|svg))(\\.part)?");

@@ -60,6 +60,8 @@ struct Snapshot {
   std::string step;     ///< "tension", "release", "express"
   int step_number = 0;  ///< counted from 1
   double load = 1.0;    ///< part of the step done, 0..1
+  std::optional<double> time =
+      {};  ///< of a state in a move step: seconds since the first move began
   mechanics::State state;
   mechanics::Controls controls;
   std::vector<Sym3<double>> sigma;  ///< [n_elements] Cauchy stress averaged over the element [kPa]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// landmarks.csv and distances.csv.
+// landmarks.csv and distances.csv, motion.csv and energy.csv.
 #pragma once
 
 #include <optional>
@@ -27,6 +27,13 @@ struct History {
 
 /// `step,pair,rest_mm,length_mm,change_percent`: a row for every pair at the end of every finished step.
 [[nodiscard]] std::string distances_csv(const Subject& subject, const History& history);
+
+/// `step,time_s,landmark,x_mm,y_mm,z_mm,ux_mm,uy_mm,uz_mm,displacement_mm`: rows for every landmark in a state of a move
+/// step, without the titles; `rest` as in History::rest_for.
+inline constexpr const char* motion_titles =
+    "step,time_s,landmark,x_mm,y_mm,z_mm,ux_mm,uy_mm,uz_mm,displacement_mm\n";
+[[nodiscard]] std::string motion_rows(const Subject& subject, const Snapshot& snapshot,
+                                      const mechanics::State* rest);
 
 /// The shortest decimal number that reads back as the same double; "0" for both zeros.
 [[nodiscard]] std::string exact_number(double value);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "facies/mechanics/loads.hpp"
+#include "facies/scenario/motion_model.hpp"
 
 namespace facies::scenario {
 
@@ -162,8 +163,8 @@ std::unique_ptr<FaceModel> build_model(anatomy::FaceAnatomy face, const Scenario
   assign_fibres(built->muscles, scenario.muscle, description);
   description.F0.assign(mesh.n_elements(), tsf * Mat3::Identity());
   const std::vector<double> density(mesh.n_elements(), scenario.density);
-  built->model.add(std::make_unique<mechanics::Gravity>(
-      mechanics::lumped_mass(mesh, density, description.F0), built->model.bodies()));
+  std::vector<double> mass = mechanics::lumped_mass(mesh, density, description.F0);
+  built->model.add(std::make_unique<mechanics::Gravity>(mass, built->model.bodies()));
   built->model.add(std::make_unique<mechanics::NodalForces>());
   built->solid =
       &built->model.add(std::make_unique<mechanics::Solid>(mesh, std::move(description), threads));
@@ -176,6 +177,7 @@ std::unique_ptr<FaceModel> build_model(anatomy::FaceAnatomy face, const Scenario
                    nodes_on_bone(*built));
   built->contacts = std::move(contact.contacts);
   if (!contact.start.empty()) built->initial.u = std::move(contact.start);
+  if (has_dynamics(scenario)) add_dynamics(*built, scenario.dynamics, std::move(mass));
   return built;
 }
 

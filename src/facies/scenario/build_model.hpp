@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "facies/anatomy/face_anatomy.hpp"
-#include "facies/mechanics/model.hpp"
+#include "facies/mechanics/inertia.hpp"
 #include "facies/mechanics/solid.hpp"
 #include "facies/scenario/contact_model.hpp"
 #include "facies/scenario/read_scenario.hpp"
@@ -30,6 +30,7 @@ struct FaceModel {
   const mechanics::Solid* solid = nullptr;  ///< of the model, as all that follow
   JawTerms jaw_terms;
   const mechanics::Attachment* ligaments = nullptr;
+  const mechanics::Inertia* inertia = nullptr;  ///< where the scenario has dynamics
   std::vector<const mechanics::Contact*> contacts;
   std::vector<Index> held_in_tension;     ///< unknowns held while the tension is put in, ascending
   std::vector<Index> held_after_release;  ///< unknowns held from the release on, ascending

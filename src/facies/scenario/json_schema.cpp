@@ -21,7 +21,7 @@ Json quantity_schema(const Rule& rule) {
   std::string units;
   for (const std::string& symbol : symbols)
     units += (units.empty() ? "" : "|") + symbol;
-  if (units.empty()) units = "[A-Za-z][A-Za-z0-9*/^ -]*";
+  if (units.empty()) units = "[A-Za-z1][A-Za-z0-9*/^ -]*";
   const std::string pattern =
       fmt::format("^\\s*[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)?\\s*({})\\s*$", units);
   return {{"type", "string"}, {"pattern", pattern}, {"examples", {"1 " + rule.unit}}};
@@ -77,6 +77,33 @@ Json closed_object(Json properties) {
       {"type", "object"}, {"additionalProperties", false}, {"properties", std::move(properties)}};
 }
 
+Json described(Json schema, const Rule& rule) {
+  schema["description"] = rule.doc;
+  return schema;
+}
+
+Json move_schema() {
+  const MoveRules& rules = move_rules();
+  const MoveStep defaults;
+  const Json level = number_schema(activation_rule(), "number");
+  const Json point = {{"type", "array"},
+                      {"items", {quantity_schema(rules.duration), level}},
+                      {"minItems", 2},
+                      {"maxItems", 2}};
+  Json method = {{"type", "string"}, {"enum", rules.method.choices}, {"default", defaults.method}};
+  Json frames = number_schema(rules.frames, "integer");
+  frames["default"] = defaults.frames;
+  return {{"type", "object"},
+          {"required", {"duration"}},
+          {"properties",
+           {{"duration", described(quantity_schema(rules.duration), rules.duration)},
+            {"method", described(std::move(method), rules.method)},
+            {"frames", described(std::move(frames), rules.frames)},
+            {"curves", described({{"type", "string"}}, rules.curves)}}},
+          {"additionalProperties",
+           {{"oneOf", {level, {{"type", "array"}, {"minItems", 1}, {"items", point}}}}}}};
+}
+
 Json step_schema(const StepKind& kind) {
   Json content = closed_object(Json::object());
   if (kind.name == "tension") {
@@ -85,11 +112,12 @@ Json step_schema(const StepKind& kind) {
     tsf["default"] = TensionStep{}.tsf;
     content["properties"]["tsf"] = tsf;
   }
-  if (kind.name == "express") {
+  if (kind.name == "express" || kind.name == "open_jaw") {
     content = {{"type", "object"},
                {"minProperties", 1},
                {"additionalProperties", number_schema(activation_rule(), "number")}};
   }
+  if (kind.name == "move") content = move_schema();
   content["description"] = kind.doc;
   Json step = closed_object({{kind.name, content}});
   step["required"] = {kind.name};

@@ -17,6 +17,10 @@ bool read_material(const YamlNode* node, const MaterialSection& section, Scenari
 [[nodiscard]] std::vector<material::ParamSpec> parameters_of(const MaterialSection& section,
                                                              Scenario& scenario);
 
+/// Reads a move step that stands at `path` ("steps.3.move"), and its table of curves.
+[[nodiscard]] MoveStep read_move(const YamlNode& content, const std::string& path,
+                                 Scenario& scenario, Problems& problems);
+
 /// Reads the list under "steps" and checks the order of the steps.
 void read_steps(const YamlNode& node, Scenario& scenario, Problems& problems);
 

@@ -2,9 +2,10 @@
 #include "facies/scenario/read_scenario.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <array>
+#include <compare>
+#include <optional>
 
-#include <climits>
 #include <fmt/format.h>
 
 #include "facies/base/files.hpp"
@@ -123,18 +124,34 @@ bool looks_like_text(const std::string& text) {
   });
 }
 
-/// Line and column of "x.yaml:12:7"; places without them come last.
-std::pair<long, long> line_and_column(const Problem& problem) {
-  const std::vector<std::string_view> parts = split(problem.where, ':');
-  if (parts.size() < 3) return {LONG_MAX, 0};
-  return {parse_integer(parts[parts.size() - 2]).value_or(LONG_MAX),
-          parse_integer(parts.back()).value_or(0)};
+/// File, line and column of "x.yaml:12:7" or "c.csv:12"; places without a line come last.
+struct Position {
+  bool unknown = true;
+  std::string_view file;
+  long line = 0, column = 0;
+
+  friend auto operator<=>(const Position&, const Position&) = default;
+};
+
+Position position_of(const Problem& problem) {
+  std::string_view rest = problem.where;
+  std::array<std::optional<long>, 2> numbers;  // from the end
+  for (std::optional<long>& number : numbers) {
+    const std::size_t colon = rest.rfind(':');
+    if (colon == std::string_view::npos) break;
+    number = parse_integer(rest.substr(colon + 1));
+    if (!number) break;
+    rest = rest.substr(0, colon);
+  }
+  if (!numbers[0]) return {};
+  if (!numbers[1]) return {false, rest, *numbers[0], 0};
+  return {false, rest, *numbers[1], *numbers[0]};
 }
 
 /// In the order of the file: people mend it from top to bottom.
 std::vector<Problem> in_order(std::vector<Problem> problems) {
   std::stable_sort(problems.begin(), problems.end(), [](const Problem& a, const Problem& b) {
-    return line_and_column(a) < line_and_column(b);
+    return position_of(a) < position_of(b);
   });
   return problems;
 }
@@ -197,7 +214,9 @@ Scenario read_scenario(const std::filesystem::path& path, const std::vector<Over
 
 std::vector<Problem> check_against_face(const Scenario& scenario, const NamesOnFace& names) {
   std::vector<Problem> problems;
-  const auto check = [&](std::size_t step, const std::map<std::string, double>& levels,
+  std::vector<std::string> both = names.muscles;
+  both.insert(both.end(), names.jaw.begin(), names.jaw.end());
+  const auto check = [&](std::size_t step, const auto& levels,
                          const std::vector<std::string>& known, const std::string& kind) {
     for (const auto& [name, level] : levels) {
       if (std::find(known.begin(), known.end(), name) != known.end()) continue;
@@ -213,6 +232,8 @@ std::vector<Problem> check_against_face(const Scenario& scenario, const NamesOnF
       check(i, express->activations, names.muscles, "muscle");
     if (const auto* open = std::get_if<OpenJawStep>(&scenario.steps[i]))
       check(i, open->excitations, names.jaw, "muscle of the jaw");
+    if (const auto* move = std::get_if<MoveStep>(&scenario.steps[i]))
+      check(i, move->levels, both, "muscle");
   }
   return in_order(std::move(problems));
 }

@@ -111,6 +111,8 @@ void read_step(const YamlNode& node, std::size_t number, Scenario& scenario, Pro
   if (entry.key == "release") scenario.steps.push_back(reader.release());
   if (entry.key == "express") scenario.steps.push_back(reader.express());
   if (entry.key == "open_jaw") scenario.steps.push_back(reader.open_jaw());
+  if (entry.key == "move")
+    scenario.steps.emplace_back(read_move(content, path, scenario, problems));
 }
 
 /// The tension sets the stress-free size of the whole run, so nothing can come before it.
@@ -145,7 +147,8 @@ void read_steps(const YamlNode& node, Scenario& scenario, Problems& problems) {
   if (node.kind != YamlNode::Kind::sequence || node.items.empty()) {
     const bool empty = node.kind == YamlNode::Kind::sequence;
     problems.add({node.where, empty ? "no steps" : describe(node),
-                  "a list of steps, each of them one of: tension, release, express, open_jaw", ""});
+                  "a list of steps, each of them one of: tension, release, express, open_jaw, move",
+                  ""});
     return;
   }
   for (std::size_t i = 0; i < node.items.size(); ++i) {

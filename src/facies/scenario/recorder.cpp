@@ -14,6 +14,7 @@
 #include "facies/scenario/mechanism_report.hpp"
 #include "facies/scenario/settings_json.hpp"
 #include "facies/scenario/write_scenario.hpp"
+#include "facies/solve/motion.hpp"
 
 namespace facies::scenario {
 
@@ -103,12 +104,16 @@ void keep_main_landmarks(const anatomy::FaceAnatomy& face,
   });
 }
 
-/// The scenario, where it is a file, and the files of the face, each with what was in it.
+/// The scenario, where it is a file, the files of the face and tables of curves, each with what was in it.
 std::vector<results::InputFile> inputs_of(const FaceModel& model, const Scenario& scenario) {
   std::vector<std::filesystem::path> files = model.face.files;
   std::error_code none;
   const std::filesystem::path written = where_of(scenario, "");
   if (std::filesystem::is_regular_file(written, none)) files.insert(files.begin(), written);
+  for (const Step& step : scenario.steps) {
+    const auto* move = std::get_if<MoveStep>(&step);
+    if (move != nullptr && !move->curves.empty()) files.emplace_back(move->curves);
+  }
   std::vector<results::InputFile> inputs;
   for (const std::filesystem::path& file : files)
     inputs.push_back({file.string(), "sha256:" + sha256(read_file(file))});
@@ -173,10 +178,32 @@ const mechanics::State* Recorder::rest_state() const {
   return rest_ ? &snapshots_[*rest_].state : nullptr;
 }
 
+void Recorder::time_step_done(const solve::Motion& motion) {
+  const solve::EnergyBooks& books = motion.energy;
+  energy_ += summary_.convergence.back().step + ',' + results::exact_number(motion.time);
+  for (const double value :
+       {books.kinetic, books.potential, books.work, books.dissipated, books.numerical})
+    energy_ += ',' + results::exact_number(value);
+  energy_ += '\n';
+  listener_.time_step_done(motion);
+}
+
+void Recorder::record_motion(const results::Snapshot& snapshot) {
+  motion_ += results::motion_rows(subject_, snapshot, rest_state());
+  write_file(options_.out / "motion.csv", results::motion_titles + motion_);
+  if (!energy_.empty()) {
+    write_file(
+        options_.out / "energy.csv",
+        "step,time_s,kinetic_uJ,potential_uJ,work_uJ,dissipated_uJ,numerical_uJ\n" + energy_);
+  }
+}
+
 void Recorder::frame(results::Snapshot snapshot) {
   if (snapshot.load == 0.0) films_.emplace_back();
-  const bool is_between = snapshot.load > 0.0 && snapshot.load < 1.0;
-  if (is_between && scenario_.output.fields == "steps")
+  if (snapshot.time) record_motion(snapshot);
+  // The last frame is the state in which the step ends; the first, where time has not begun, that of the step before.
+  const bool is_new = snapshot.load < 1.0 && (snapshot.load > 0.0 || snapshot.time);
+  if (is_new && scenario_.output.fields == "steps")
     fields_.add_frame(snapshot, rest_state(), static_cast<int>(films_.back().size()));
   snapshot.sigma.clear();  // an animation shows none of it
   snapshot.J.clear();

@@ -38,6 +38,8 @@ class Recorder final : public solve::Observer {
   /// A state on the way through a step, from its beginning (load 0) to its end (load 1).
   void frame(results::Snapshot snapshot);
 
+  void time_step_done(const solve::Motion& motion) override;
+
   /// A step ended, here or before its load was whole. A step that expressions start from is the tensioned rest.
   void step_ends(results::Snapshot snapshot, bool is_rest);
 
@@ -57,6 +59,7 @@ class Recorder final : public solve::Observer {
 
  private:
   [[nodiscard]] const mechanics::State* rest_state() const;
+  void record_motion(const results::Snapshot& snapshot);
   void write_tables() const;
   void write_summary() const;
 
@@ -71,6 +74,8 @@ class Recorder final : public solve::Observer {
   std::vector<results::Snapshot> snapshots_;
   std::vector<std::vector<results::Snapshot>> films_;  ///< frames of each step that has any
   std::optional<std::size_t> rest_;
+  std::string motion_;  // rows of motion.csv
+  std::string energy_;  // rows of energy.csv
   std::chrono::steady_clock::time_point start_, last_;
 };
 

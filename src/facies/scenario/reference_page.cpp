@@ -116,6 +116,15 @@ std::string steps_text() {
     text +=
         fmt::format("\n### {}\n\n{}\n\n```yaml\n- {}\n```\n", kind.name, kind.doc, kind.example);
   }
+  const MoveRules& move = move_rules();
+  text += "\n| key of move | may be | meaning |\n|---|---|---|\n";
+  text += fmt::format("| `duration` | time, {} | {} |\n", range_in_words(move.duration),
+                      move.duration.doc);
+  text += fmt::format("| `method` | `dynamic` `quasi_static`; without it `{}` | {} |\n",
+                      MoveStep{}.method, move.method.doc);
+  text += fmt::format("| `frames` | whole number, {}; without it {} | {} |\n",
+                      range_in_words(move.frames), MoveStep{}.frames, move.frames.doc);
+  text += fmt::format("| `curves` | path of a file | {} |\n", move.curves.doc);
   text += fmt::format("\n`tsf`: {}. Without it {}. Activations: {}.\n", range_in_words(tsf_rule()),
                       TensionStep{}.tsf, range_in_words(activation_rule()));
   return text;

@@ -22,7 +22,8 @@ int choose_threads(const Scenario& scenario, const RunOptions& options) {
 /// The state that expressions are measured from: after a release, or whatever comes right before the first expression.
 bool is_rest(const Scenario& scenario, std::size_t step) {
   const auto expresses = [](const Step& kind) {
-    return std::holds_alternative<ExpressStep>(kind) || std::holds_alternative<OpenJawStep>(kind);
+    return std::holds_alternative<ExpressStep>(kind) || std::holds_alternative<OpenJawStep>(kind) ||
+           std::holds_alternative<MoveStep>(kind);
   };
   if (expresses(scenario.steps[step])) return false;
   const bool last = step + 1 == scenario.steps.size();
@@ -74,6 +75,7 @@ results::Snapshot snapshot_of(const FaceModel& model, const Stepper& stepper,
   snapshot.step = step_name(scenario.steps[step]);
   snapshot.step_number = static_cast<int>(step) + 1;
   snapshot.load = load;
+  if (std::holds_alternative<MoveStep>(scenario.steps[step])) snapshot.time = stepper.time();
   return snapshot;
 }
 

@@ -9,6 +9,7 @@ std::string step_name(const Step& step) {
     std::string operator()(const ReleaseStep&) const { return "release"; }
     std::string operator()(const ExpressStep&) const { return "express"; }
     std::string operator()(const OpenJawStep&) const { return "open_jaw"; }
+    std::string operator()(const MoveStep&) const { return "move"; }
   };
   return std::visit(Name{}, step);
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "facies/material/catalog.hpp"
+#include "facies/scenario/curve.hpp"
 
 namespace facies::scenario {
 
@@ -89,9 +90,21 @@ struct OpenJawStep {
   friend bool operator==(const OpenJawStep&, const OpenJawStep&) = default;
 };
 
-using Step = std::variant<TensionStep, ReleaseStep, ExpressStep, OpenJawStep>;
+/// Muscles follow curves in time, from rest; those without a curve stay as they are.
+struct MoveStep {
+  double duration = 0.0;           ///< [s]
+  std::string method = "dynamic";  ///< or "quasi_static": one equilibrium after the other
+  int frames = 25;                 ///< states that are recorded after the beginning, evenly in time
+  std::string curves = {};  ///< path of a table whose columns are among `levels`; empty: none
+  std::map<std::string, Curve> levels =
+      {};  ///< by muscle of expression or of the jaw, or exciter, 0..1
 
-/// "tension", "release", "express" or "open_jaw".
+  friend bool operator==(const MoveStep&, const MoveStep&) = default;
+};
+
+using Step = std::variant<TensionStep, ReleaseStep, ExpressStep, OpenJawStep, MoveStep>;
+
+/// "tension", "release", "express", "open_jaw" or "move".
 [[nodiscard]] std::string step_name(const Step& step);
 
 /// The activation that `step` gives to a muscle: its own entry, else that of its group, else zero.
@@ -107,6 +120,18 @@ struct SolverChoice {
   int threads = 0;  ///< 0: as many as the machine has; results do not depend on it
 
   friend bool operator==(const SolverChoice&, const SolverChoice&) = default;
+};
+
+/// How things move in time.
+struct DynamicsChoice {
+  double rayleigh_alpha = 80.0;  ///< damping by mass [1/s]
+  double rayleigh_beta = 0.02;   ///< damping by stiffness [s]
+  double rho_inf = 0.8;          ///< what a time step leaves of oscillations much faster than it
+  double tolerance = 0.01;       ///< error of one time step [mm]
+  double first_step = 1e-3;      ///< [s]
+  double smallest_step = 1e-7;   ///< [s]
+
+  friend bool operator==(const DynamicsChoice&, const DynamicsChoice&) = default;
 };
 
 struct OutputChoice {
@@ -130,6 +155,7 @@ struct Scenario {
   std::string jaw = "held";  ///< where it stands at rest, or "free"
   std::vector<Step> steps;
   SolverChoice solver;
+  DynamicsChoice dynamics;
   OutputChoice output;
 
   /// Where each entry was written: "skin.c" -> "smile.yaml:12:6" or "--set skin.c". Steps count from 1.

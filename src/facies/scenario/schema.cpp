@@ -201,9 +201,50 @@ std::vector<Field> run_fields() {
   };
 }
 
+std::vector<Field> dynamics_fields() {
+  return {
+      {"dynamics.rayleigh_alpha",
+       {.doc = "Damping of the tissue by its mass: force alpha M v.",
+        .unit = "1/s",
+        .minimum = 0.0,
+        .maximum = 1e6},
+       [](Scenario& s) { return &s.dynamics.rayleigh_alpha; }},
+      {"dynamics.rayleigh_beta",
+       {.doc = "Damping of the tissue by its stiffness: force beta K v.",
+        .unit = "s",
+        .minimum = 0.0,
+        .maximum = 100.0},
+       [](Scenario& s) { return &s.dynamics.rayleigh_beta; }},
+      {"dynamics.rho_inf",
+       {.doc = "What one time step leaves of an oscillation that is much faster than the steps; 1 "
+               "leaves all of it.",
+        .minimum = 0.0,
+        .maximum = 1.0},
+       [](Scenario& s) { return &s.dynamics.rho_inf; }},
+      {"dynamics.tolerance",
+       {.doc = "Error that one time step may have anywhere; steps are as long as it allows.",
+        .unit = "mm",
+        .minimum = 1e-9,
+        .maximum = 10.0},
+       [](Scenario& s) { return &s.dynamics.tolerance; }},
+      {"dynamics.first_step",
+       {.doc = "The time step that is tried first.",
+        .unit = "s",
+        .minimum = 1e-9,
+        .maximum = 100.0},
+       [](Scenario& s) { return &s.dynamics.first_step; }},
+      {"dynamics.smallest_step",
+       {.doc = "The time step below which the run is given up, with exit status 5.",
+        .unit = "s",
+        .minimum = 1e-12,
+        .maximum = 100.0},
+       [](Scenario& s) { return &s.dynamics.smallest_step; }},
+  };
+}
+
 std::vector<Field> all_fields() {
   std::vector<Field> all = general_fields();
-  for (auto* more : {contact_fields, material_fields, run_fields}) {
+  for (auto* more : {contact_fields, material_fields, run_fields, dynamics_fields}) {
     for (Field& field : more())
       all.push_back(std::move(field));
   }
@@ -225,6 +266,7 @@ std::span<const Section> sections() {
       {"hypodermis", "The layers below the skin."},
       {"muscle", "What fibres add to the tissue that they run through."},
       {"solver", "How equilibrium is looked for."},
+      {"dynamics", "How things move in time: for steps `move` (docs/theory/dynamics.md)."},
       {"output", "What is written beside tables and summary."},
   };
   return all;
@@ -260,6 +302,18 @@ std::span<const StepKind> step_kinds() {
        "(`lad`; goes before exciters); the others, and the muscles of expression, stay as they "
        "are.",
        "open_jaw: {bi_open: 1}"},
+      {"move",
+       "Muscles follow curves in time, for a `duration`. Every key but `duration`, `method`, "
+       "`frames` and `curves` names a muscle of expression (`ZYG`: both sides; `ZYG_L` goes before "
+       "it), a muscle of the jaw or an exciter; its value is a number, or points `[time, value]` "
+       "with straight lines between them: before the first point its value, after the last that of "
+       "the last. What has no curve stays as it is. Over the first tenth of the duration "
+       "everything "
+       "goes from where it was before the step to its curve, so that nothing jumps. A move begins "
+       "at "
+       "rest.",
+       "move:\n    duration: 0.5 s\n    ZYG: [[0 s, 0], [0.2 s, 0.5], [0.5 s, 0.3]]\n    RIS_L: "
+       "0.4"},
   };
   return all;
 }
@@ -275,6 +329,30 @@ const Rule& tsf_rule() {
 const Rule& activation_rule() {
   static const Rule rule = {.doc = "Activation of a muscle.", .minimum = 0.0, .maximum = 1.0};
   return rule;
+}
+
+const MoveRules& move_rules() {
+  static const MoveRules rules = {
+      .duration = {.doc = "How long it takes. Needed.",
+                   .unit = "s",
+                   .minimum = 0.0,
+                   .maximum = 1000.0,
+                   .exclusive_minimum = true},
+      .method =
+          {.doc = "`dynamic`: with mass and damping. `quasi_static`: as if infinitely slowly, one "
+                  "equilibrium for each frame.",
+           .choices = {"dynamic", "quasi_static"}},
+      .frames = {.doc = "States that are recorded, evenly in time.",
+                 .minimum = 1,
+                 .maximum = 10000},
+      .curves = {.doc =
+                     "A table of curves: comma separated, the column `time_s`, then one for each "
+                     "name. Its path counts from the folder of the scenario."}};
+  return rules;
+}
+
+bool is_move_key(const std::string& key) {
+  return key == "duration" || key == "method" || key == "frames" || key == "curves";
 }
 
 std::string section_of(const std::string& path) {

@@ -65,6 +65,13 @@ struct MaterialSection {
 [[nodiscard]] const Rule& tsf_rule();
 [[nodiscard]] const Rule& activation_rule();
 
+/// What the keys of a move step may be; every other key of it is a name with a curve.
+struct MoveRules {
+  Rule duration, method, frames, curves;
+};
+[[nodiscard]] const MoveRules& move_rules();
+[[nodiscard]] bool is_move_key(const std::string& key);
+
 /// The section of a path: "solver" of "solver.threads", empty for "density".
 [[nodiscard]] std::string section_of(const std::string& path);
 

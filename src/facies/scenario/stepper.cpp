@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "facies/scenario/motion_model.hpp"
+
 namespace facies::scenario {
 
 solve::StepSettings step_settings(const SolverChoice& choice) {
@@ -109,6 +111,84 @@ solve::StepReport Stepper::open_jaw(const OpenJawStep& step, const solve::Increm
   return drive(from, to, label, observer, frame_reached);
 }
 
+namespace {
+
+/// The part of a step that leads to frame `number` of `n`; increments are counted on.
+solve::Increment part_of(const solve::Increment& label, int number, int n, int tries) {
+  solve::Increment part = label;
+  part.from = static_cast<double>(number - 1) / n;
+  part.to = static_cast<double>(number) / n;
+  part.number = tries;
+  return part;
+}
+
+}  // namespace
+
+solve::StepReport Stepper::move(const MoveStep& step, const solve::Increment& label,
+                                solve::Observer& observer, const FrameListener& frame_reached) {
+  if (!equilibrium_) hold(model_.held_after_release);
+  if (frame_reached) frame_reached(0.0);
+  if (step.method == "quasi_static")
+    return move_quasi_statically(step, label, observer, frame_reached);
+  require(model_.inertia != nullptr, "a model that moves has mass");
+  const double begin = time_;
+  const mechanics::Controls before = controls_;
+  const auto controls = [&](double time) {
+    return controls_in_move(model_, step, scenario_.gravity.vector(), before, time - begin);
+  };
+  solve::TimeStepper stepper(*equilibrium_, *model_.inertia, time_settings(scenario_));
+  solve::Motion motion = stepper.begin(begin, state_, controls);
+  solve::StepReport report;
+  for (int k = 1; k <= step.frames; ++k) {
+    const int tries = report.increments + report.cut_backs;
+    const solve::MotionReport part =
+        stepper.advance(motion, begin + step.duration * k / step.frames, controls,
+                        part_of(label, k, step.frames, tries), observer);
+    report.increments += part.steps;
+    report.cut_backs += part.refused_newton + part.refused_error + part.refused_energy;
+    report.iterations += part.iterations;
+    report.factorisations += part.factorisations;
+    report.last = part.last;
+    report.last_increment = part.last_increment;
+    report.interrupted = part.interrupted;
+    if (!part.converged) report.last.reason = part.reason;
+    state_ = motion.state;
+    controls_ = controls(motion.time);
+    time_ = motion.time;
+    report.reached = (time_ - begin) / step.duration;
+    if (!part.converged) return report;
+    report.reached = static_cast<double>(k) / step.frames;
+    if (frame_reached) frame_reached(report.reached);
+  }
+  report.converged = true;
+  return report;
+}
+
+solve::StepReport Stepper::move_quasi_statically(const MoveStep& step,
+                                                 const solve::Increment& label,
+                                                 solve::Observer& observer,
+                                                 const FrameListener& frame_reached) {
+  const double begin = time_;
+  const mechanics::Controls before = controls_;
+  solve::StepReport report;
+  for (int k = 1; k <= step.frames; ++k) {
+    const double time = step.duration * k / step.frames;
+    const mechanics::Controls to =
+        controls_in_move(model_, step, scenario_.gravity.vector(), before, time);
+    solve::StepReport part = drive(controls_, to, label, observer);
+    part.increments += report.increments;
+    part.cut_backs += report.cut_backs;
+    part.iterations += report.iterations;
+    part.factorisations += report.factorisations;
+    part.reached = (k - 1 + part.reached) / step.frames;
+    report = part;
+    time_ = begin + step.duration * report.reached;
+    if (!report.converged) return report;
+    if (frame_reached) frame_reached(report.reached);
+  }
+  return report;
+}
+
 solve::StepReport Stepper::take(int number, solve::Observer& observer,
                                 const FrameListener& frame_reached) {
   const Step& step = scenario_.steps.at(static_cast<std::size_t>(number - 1));
@@ -118,6 +198,8 @@ solve::StepReport Stepper::take(int number, solve::Observer& observer,
   label.n_steps = static_cast<int>(scenario_.steps.size());
   if (std::holds_alternative<TensionStep>(step)) return tension(label, observer);
   if (std::holds_alternative<ReleaseStep>(step)) return release(label, observer);
+  if (const auto* moving = std::get_if<MoveStep>(&step))
+    return move(*moving, label, observer, frame_reached);
   if (std::holds_alternative<OpenJawStep>(step))
     return open_jaw(std::get<OpenJawStep>(step), label, observer, frame_reached);
   return express(std::get<ExpressStep>(step), label, observer, frame_reached);

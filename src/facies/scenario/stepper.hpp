@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "facies/scenario/build_model.hpp"
+#include "facies/solve/motion.hpp"
 #include "facies/solve/step.hpp"
 
 namespace facies::scenario {
@@ -24,13 +25,15 @@ class Stepper {
   Stepper(const FaceModel& model, const Scenario& scenario);
 
   /// Carries out step `number` (from 1). Where the scenario asks for frames, `frame_reached` hears of each in steps that
-  /// express something or open the jaw: of part 0, where they begin, and of equal parts up to 1. State and controls are then
-  /// those of the frame.
+  /// express something or open the jaw, and always in steps that move in time: of part 0, where they begin, and of equal parts
+  /// up to 1. State and controls are then those of the frame.
   [[nodiscard]] solve::StepReport take(int number, solve::Observer& observer,
                                        const FrameListener& frame_reached = {});
 
   [[nodiscard]] const mechanics::State& state() const { return state_; }
   [[nodiscard]] const mechanics::Controls& controls() const { return controls_; }
+  /// Seconds that the move steps so far have taken.
+  [[nodiscard]] double time() const { return time_; }
 
  private:
   [[nodiscard]] solve::StepReport tension(const solve::Increment& label, solve::Observer& observer);
@@ -41,6 +44,13 @@ class Stepper {
   [[nodiscard]] solve::StepReport open_jaw(const OpenJawStep& step, const solve::Increment& label,
                                            solve::Observer& observer,
                                            const FrameListener& frame_reached);
+  [[nodiscard]] solve::StepReport move(const MoveStep& step, const solve::Increment& label,
+                                       solve::Observer& observer,
+                                       const FrameListener& frame_reached);
+  [[nodiscard]] solve::StepReport move_quasi_statically(const MoveStep& step,
+                                                        const solve::Increment& label,
+                                                        solve::Observer& observer,
+                                                        const FrameListener& frame_reached);
   [[nodiscard]] solve::StepReport drive(const mechanics::Controls& from,
                                         const mechanics::Controls& to,
                                         const solve::Increment& label, solve::Observer& observer,
@@ -54,6 +64,7 @@ class Stepper {
   const Scenario& scenario_;
   mechanics::State state_;
   mechanics::Controls controls_;
+  double time_ = 0.0;
   std::unique_ptr<solve::Equilibrium> equilibrium_;
 };
 

@@ -100,8 +100,25 @@ struct StepText {
   std::string operator()(const OpenJawStep& step) const {
     return "open_jaw: " + levels(step.excitations);
   }
+  /// Curves of a table stand here like the others: the text is all that it takes to repeat a run.
+  std::string operator()(const MoveStep& step) const {
+    std::string text = fmt::format("move:\n      duration: {}\n      method: {}\n      frames: {}",
+                                   number_text(step.duration, unit("s")), step.method, step.frames);
+    for (const auto& [name, curve] : step.levels)
+      text += fmt::format("\n      {}: {}", text_value(name), points(curve));
+    return text;
+  }
 
  private:
+  static std::string points(const Curve& curve) {
+    std::string inside;
+    for (const CurvePoint& point : curve.points) {
+      inside += fmt::format("{}[{}, {}]", inside.empty() ? "" : ", ",
+                            number_text(point.time, unit("s")), number_text(point.value));
+    }
+    return "[" + inside + "]";
+  }
+
   static std::string levels(const std::map<std::string, double>& of) {
     std::string inside;
     for (const auto& [name, alpha] : of) {

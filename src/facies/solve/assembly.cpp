@@ -3,9 +3,7 @@
 
 #include <algorithm>
 
-#include <Eigen/Eigenvalues>
-
-#include "facies/base/error.hpp"
+#include "facies/mechanics/positive_part.hpp"
 
 namespace facies::solve {
 
@@ -57,38 +55,16 @@ class ValueSink final : public mechanics::TangentSink {
 /// Makes the negative eigenvalues of every block smaller before it is added.
 class PositiveSink final : public mechanics::TangentSink {
  public:
-  PositiveSink(const mechanics::Stencils& stencils, double positivity, mechanics::TangentSink& next)
-      : stencils_(stencils), positivity_(positivity), next_(next) {}
+  PositiveSink(double positivity, mechanics::TangentSink& next)
+      : positivity_(positivity), next_(next) {}
 
   void add(std::size_t stencil, std::span<const double> block) override {
-    // Fixed storage keeps the eigenvalue solver off the heap for all but the largest contacts.
-    constexpr Eigen::Index of_an_element = 24;
-    if (stencils_[stencil].size() <= of_an_element) {
-      add_positive<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
-                                 of_an_element, of_an_element>>(stencil, block);
-    } else {
-      add_positive<Eigen::MatrixXd>(stencil, block);
-    }
+    std::vector<double> changed(block.begin(), block.end());
+    mechanics::reduce_negative(changed, positivity_);
+    next_.add(stencil, changed);
   }
 
  private:
-  template <class Block>
-  void add_positive(std::size_t stencil, std::span<const double> block) {
-    const auto n = static_cast<Eigen::Index>(stencils_[stencil].size());
-    const Eigen::SelfAdjointEigenSolver<Block> modes(
-        Eigen::Map<const Eigen::MatrixXd>(block.data(), n, n));
-    if (modes.eigenvalues()(0) >= 0.0) {
-      next_.add(stencil, block);
-      return;
-    }
-    const Block& V = modes.eigenvectors();
-    const auto lambda = modes.eigenvalues();
-    const Block changed =
-        V * (lambda - positivity_ * lambda.cwiseMin(0.0)).asDiagonal() * V.transpose();
-    next_.add(stencil, {changed.data(), block.size()});
-  }
-
-  const mechanics::Stencils& stencils_;
   double positivity_;
   mechanics::TangentSink& next_;
 };
@@ -147,7 +123,7 @@ void Assembly::tangent(const mechanics::State& state, const mechanics::Controls&
     const mechanics::Stencils& stencils = term.couplings_change() ? now : stencils_[t];
     const Slots& slots = term.couplings_change() ? slots_now : slots_[t];
     ValueSink sink(stencils, slots, equations_, values, moves, coupling);
-    PositiveSink positive(stencils, positivity, sink);
+    PositiveSink positive(positivity, sink);
     mechanics::TangentSink& first =
         positivity > 0.0 ? static_cast<mechanics::TangentSink&>(positive) : sink;
     term.add_tangent(state, controls, first);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "facies/base/error.hpp"
+#include "facies/mechanics/time_step.hpp"
 
 namespace facies::solve {
 
@@ -29,11 +30,17 @@ constexpr double accepted_work = 0.9;  // part of the starting work that may rem
 // the tissue tears, more only stretch it to infinity.
 constexpr int overgrown_patience = 8;
 
-double norm(std::span<const double> v) {
+double square_sum(std::span<const double> v) {
   double sum = 0.0;
   for (const double x : v)
     sum += x * x;
-  return std::sqrt(sum);
+  return sum;
+}
+
+/// "3e-10 of the load"; where nothing is a load, "2e-7 mN".
+std::string describe_residual(const NewtonReport& report) {
+  return std::isfinite(report.relative) ? fmt::format("{:.1e} of the load", report.relative)
+                                        : fmt::format("{:.1e} mN", report.residual);
 }
 
 }  // namespace
@@ -87,8 +94,10 @@ void Equilibrium::measure(Work& work, const mechanics::Controls& controls,
   double applied = 0.0;
   for (const Vec3& force : controls.nodal_force)
     applied += force.squaredNorm();
+  if (controls.time_step) applied = std::max(applied, square_sum(controls.time_step->push));
   report.residual = std::sqrt(free_sum);
-  report.relative = report.residual / std::max({std::sqrt(fixed_sum), std::sqrt(applied), 1e-300});
+  const double load = std::sqrt(std::max(fixed_sum, applied));
+  report.relative = report.residual == 0.0 ? 0.0 : report.residual / load;
 }
 
 /// Assembles and factorises; false where the matrix is not positive definite, so that its step might go uphill in energy.
@@ -243,12 +252,12 @@ bool Equilibrium::is_over(Work& work, const mechanics::State& state, const Newto
   }
   if (balanced) {
     report.converged = true;
-    report.reason = fmt::format("residual {:.1e} of the load", report.relative);
+    report.reason = "residual " + describe_residual(report);
     return true;
   }
   if (report.iterations == settings.max_iterations) {
-    report.reason = fmt::format("residual still {:.1e} of the load after {} iterations",
-                                report.relative, report.iterations);
+    report.reason = fmt::format("residual still {} after {} iterations", describe_residual(report),
+                                report.iterations);
     return true;
   }
   return false;
@@ -304,7 +313,7 @@ double Equilibrium::residual_norm(const mechanics::State& state,
   if (!model_.residual(state, controls, r)) return std::numeric_limits<double>::infinity();
   for (const Index dof : prescribed_)
     r[at(dof)] = 0.0;
-  const double value = norm(r);
+  const double value = std::sqrt(square_sum(r));
   return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
 }
 

@@ -15,7 +15,7 @@ namespace facies::solve {
 
 struct NewtonSettings {
   double relative_tolerance =
-      1e-6;  ///< of |r| over the free unknowns, against the reactions and applied forces
+      1e-6;  ///< of |r| over the free unknowns, against the reactions, applied forces and, in a time step, what drives it
   double absolute_tolerance = 1e-6;  ///< [mN], for models that carry no load at all
   int max_iterations = 80;
 };
@@ -28,7 +28,7 @@ struct NewtonReport {
   int iterations = 0;
   int factorisations = 0;
   double residual = 0.0;  ///< |r| over the free unknowns [mN]
-  double relative = 0.0;
+  double relative = 0.0;  ///< residual / load; infinity where there is a residual and no load
   Index worst_node =
       -1;  ///< carries the largest remaining residual; -1 where nothing was evaluated
   mechanics::Inadmissible

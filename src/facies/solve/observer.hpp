@@ -8,6 +8,8 @@
 
 namespace facies::solve {
 
+struct Motion;
+
 /// One Newton iteration.
 struct Iteration {
   int number = 0;            ///< from 0: the state before the first correction
@@ -53,6 +55,8 @@ class Observer {
   virtual void increment_begins(const Increment& /*increment*/) {}
   virtual void iteration_done(const Increment& /*increment*/, const Iteration& /*iteration*/) {}
   virtual void increment_ends(const Increment& /*increment*/, const IncrementEnd& /*end*/) {}
+  /// A step in time has been accepted.
+  virtual void time_step_done(const Motion& /*motion*/) {}
   /// Asked after every iteration; true ends the run with Interrupted.
   [[nodiscard]] virtual bool stop_requested() const { return false; }
 };
