@@ -174,6 +174,7 @@ struct Scene::Parts {
 
   Surface surface;
   RayTree tree;
+  std::vector<Vec3f> albedos = {};   ///< colour of each vertex, as light
   std::vector<float> openness = {};  ///< of each vertex
   float size = 0.0F;                 ///< no point is farther than this from the origin
 
@@ -195,6 +196,8 @@ Scene::Scene(Surface surface, int threads) {
   Parts& parts = *parts_;
   for (const Vec3f& p : parts.surface.positions)
     parts.size = std::max(parts.size, p.norm());
+  for (const Colour& colour : parts.surface.colours)
+    parts.albedos.push_back(to_vector(to_light(colour)));
   parts.openness.resize(parts.surface.positions.size());
   const std::vector<Vec3f> directions = hemisphere();
   parallel_for(parts.openness.size(), threads, [&](std::size_t begin, std::size_t end) {
@@ -217,7 +220,7 @@ Vec3f Scene::Parts::shade(const Studio& studio, const std::array<std::uint32_t, 
   for (std::size_t k = 0; k < 3; ++k) {
     const float weight = w[static_cast<Eigen::Index>(k)];
     const std::uint32_t vertex = triangle[k];
-    albedo += weight * to_vector(to_light(surface.colours[vertex]));
+    albedo += weight * albedos[vertex];
     open += weight * openness[vertex];
     if (!surface.values.empty()) value += weight * surface.values[vertex];
   }

@@ -86,7 +86,8 @@ results::Snapshot make_snapshot(const FaceModel& model, const mechanics::State& 
 
 namespace {
 
-/// Of each view in an animation [pixels]: such files are large.
+/// Height of each view of bones and sections, and in an animation, whose file is large [pixels].
+constexpr int anatomy_height = 640;
 constexpr int film_height = 560;
 
 /// For the terminal: the landmarks of the paper and what stands beside them (PH_buried beside PH); all of a face that
@@ -239,6 +240,7 @@ void Recorder::draw(int threads) {
   const results::Snapshot* rest = rest_ ? &snapshots_[*rest_] : nullptr;
   const std::filesystem::path folder = options_.out / "figures";
   results::write_pictures(subject_, rest, snapshots_.back(), folder, options);
+  options.height = anatomy_height;
   results::write_anatomy_pictures(subject_, snapshots_, folder, options);
   options.height = film_height;
   for (const std::vector<results::Snapshot>& film : films_)
