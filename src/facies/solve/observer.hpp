@@ -19,7 +19,7 @@ struct Iteration {
   double step_length = 0.0;  ///< part of the Newton step that was taken, 0..1
   double shift = 0.0;        ///< of the diagonal, relative; 0: none was needed
   int factorisations = 0;    ///< matrix factorisations that this iteration needed
-  bool exact = true;  ///< the tangent itself was used; else its positive part, as it was indefinite
+  bool exact = true;  ///< the tangent itself was used; else one with smaller negative eigenvalues
 };
 
 /// One increment of a step, begun at load `from` and aimed at load `to`, both 0..1.
