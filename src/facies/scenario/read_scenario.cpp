@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <compare>
 #include <optional>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -124,14 +124,8 @@ bool looks_like_text(const std::string& text) {
   });
 }
 
-/// File, line and column of "x.yaml:12:7" or "c.csv:12"; places without a line come last.
-struct Position {
-  bool unknown = true;
-  std::string_view file;
-  long line = 0, column = 0;
-
-  friend auto operator<=>(const Position&, const Position&) = default;
-};
+/// File, line and column of "x.yaml:12:7" or "c.csv:12", after whether there are none: those places come last.
+using Position = std::tuple<bool, std::string_view, long, long>;
 
 Position position_of(const Problem& problem) {
   std::string_view rest = problem.where;
@@ -143,7 +137,7 @@ Position position_of(const Problem& problem) {
     if (!number) break;
     rest = rest.substr(0, colon);
   }
-  if (!numbers[0]) return {};
+  if (!numbers[0]) return {true, {}, 0, 0};
   if (!numbers[1]) return {false, rest, *numbers[0], 0};
   return {false, rest, *numbers[1], *numbers[0]};
 }
