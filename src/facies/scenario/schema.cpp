@@ -105,12 +105,12 @@ std::vector<Field> contact_fields() {
        {.doc = "What stands for bone whose surface is not given (forehead, orbit, nose, zygoma): "
                "the inner surface in its "
                "place in the face, from which tissue can slide and lift off but not sink in; or "
-               "nothing.",
+               "nothing. Means nothing for a face that does not say where it lies on such bone.",
         .choices = {"inner_surface", "none"}},
        [](Scenario& s) { return &s.contact.skull; }},
       {"contact.lips",
        {.doc = "The surface around the mouth does not pass through itself: lip against lip, folds "
-               "at the corners."},
+               "at the corners. Means nothing for a face whose mouth corners are not known."},
        [](Scenario& s) { return &s.contact.lips; }},
       {"contact.distance",
        {.doc = "Surfaces feel each other from this distance on; they never touch.",
