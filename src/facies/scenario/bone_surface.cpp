@@ -72,9 +72,9 @@ void check_intersections(const std::string& where, const mesh::TriangleSurface& 
 }  // namespace
 
 mesh::TriangleSurface read_bone_surface(const anatomy::BoneSurface& bone, Problems& problems) {
-  const mesh::TriangleSurface read = mesh::read_obj(bone.file, bone.scale, problems);
+  mesh::TriangleSurface read = mesh::read_obj(bone.file, bone.scale, problems);
   if (read.triangles.empty()) return read;  // said by the reader
-  const mesh::TriangleSurface surface = mesh::merge_coincident_vertices(read);
+  mesh::TriangleSurface surface = mesh::merge_coincident_vertices(read);
   const mesh::SurfaceReport report = mesh::check_surface(surface);
   const std::string where = bone.file.string();
   check_size(where, report, problems);
