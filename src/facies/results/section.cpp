@@ -81,6 +81,7 @@ LayeredTissue::LayeredTissue(const Subject& subject) : mesh_(subject.mesh) {
     fills_.push_back(layer_colour(layer));
   const std::vector<LayerFace> list = layer_faces(subject);
   std::vector<mesh::Face> faces;
+  faces.reserve(list.size());
   for (const LayerFace& entry : list)
     faces.push_back(entry.face);
   std::map<std::pair<Index, Kind>, std::uint32_t> vertex_at;
