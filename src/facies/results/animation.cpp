@@ -20,6 +20,7 @@ constexpr int shortest = 40;  ///< that viewers keep up with [ms]
 
 /// How far the step has come, in words that leave the size of the page as it is.
 std::string progress(const Snapshot& frame) {
+  if (frame.time) return fmt::format("{:.3f} s", *frame.time);
   return fmt::format("{:.0f} % of the load", 100.0 * frame.load);
 }
 
