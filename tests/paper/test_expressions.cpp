@@ -57,6 +57,21 @@ double change_percent(const results::Headline& headline, const std::string& a,
 
 class Expressions : public anatomy::ReferenceFaceTest {};
 
+TEST_F(Expressions, ShowBonesAndTeethOfAJawThatIsHeld) {
+  const Scenario scenario =
+      read_scenario(std::filesystem::path(FACIES_SOURCE_DIR) / "scenarios" / "smile-open.yaml");
+  const std::string spec = "artisynth:" + anatomy::reference_folder()->string();
+  const auto model = build_model(anatomy::load_face(spec, anatomy::data_folder()), scenario, 1);
+  const results::Subject subject = make_subject(*model);
+  ASSERT_FALSE(subject.bones.empty());
+  int n_teeth = 0;
+  for (const results::BoneShape& bone : subject.bones) {
+    EXPECT_EQ(bone.body, -1) << bone.name << " does not move";
+    n_teeth += static_cast<int>(std::ranges::count(bone.is_tooth, true));
+  }
+  EXPECT_GT(n_teeth, 100);
+}
+
 TEST_F(Expressions, OpenSmileConvergesFromASkinUnderTensionAndMovesTheMouthCornerAsPublished) {
   const Outcome smile = carry_out("smile-open");
   ASSERT_TRUE(smile.converged);

@@ -20,8 +20,9 @@ namespace facies::scenario {
 
 namespace {
 
-/// Bones and teeth of a face with a jaw, where they are while the jaw has not moved.
-std::vector<results::BoneShape> bone_shapes(const anatomy::Jaw& jaw, const SettledJaw& settled) {
+/// Bones and teeth of a face with a jaw, where they are while the jaw has not moved: where it settled, or in its starting
+/// pose in a model that has no use for it (`settled` is null).
+std::vector<results::BoneShape> bone_shapes(const anatomy::Jaw& jaw, const SettledJaw* settled) {
   Problems problems;
   std::vector<results::BoneShape> bones;
   for (std::size_t s = 0; s < jaw.surfaces.size(); ++s) {
@@ -30,7 +31,7 @@ std::vector<results::BoneShape> bone_shapes(const anatomy::Jaw& jaw, const Settl
     results::BoneShape& bone = bones.emplace_back();
     bone.name = file.name;
     bone.is_solid = file.kind == anatomy::SurfaceKind::solid;
-    bone.body = file.bone == jaw.mandible ? 0 : -1;
+    bone.body = settled != nullptr && file.bone == jaw.mandible ? 0 : -1;
     bone.surface = mesh::merge_coincident_vertices(mesh::read_obj(file.file, file.scale, problems));
     bone.is_tooth.resize(bone.surface.X.size());
     for (std::size_t v = 0; v < bone.surface.X.size(); ++v) {
@@ -38,7 +39,8 @@ std::vector<results::BoneShape> bone_shapes(const anatomy::Jaw& jaw, const Settl
       bone.is_tooth[v] = std::ranges::any_of(jaw.crowns, [&](const anatomy::Crowns& crowns) {
         return at(crowns.surface) == s && crowns.holds(X);
       });
-      X = anchor_of(jaw, settled, {file.bone, X}).X;
+      const anatomy::BonePoint point{file.bone, X};
+      X = settled != nullptr ? anchor_of(jaw, *settled, point).X : place_of(jaw, jaw.start, point);
     }
   }
   problems.throw_if_any<DataError>();
@@ -65,7 +67,7 @@ results::Subject make_subject(const FaceModel& model) {
     subject.pairs.push_back({pair.a, pair.b});
   for (const anatomy::Muscle& muscle : model.muscles)
     subject.muscles.push_back({muscle.name, muscle.elements});
-  if (model.jaw) subject.bones = bone_shapes(*face.jaw, *model.jaw);
+  if (face.jaw) subject.bones = bone_shapes(*face.jaw, model.jaw ? &*model.jaw : nullptr);
   subject.bodies.assign(model.model.bodies().begin(), model.model.bodies().end());
   return subject;
 }
