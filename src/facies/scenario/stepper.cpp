@@ -29,7 +29,8 @@ void Stepper::hold(const std::vector<Index>& unknowns) {
   if (!same) equilibrium_ = std::make_unique<solve::Equilibrium>(model_.model, unknowns);
 }
 
-solve::StepReport Stepper::drive(const mechanics::Controls& from, const mechanics::Controls& to,
+/// `from` is a copy: the present controls, which it usually is, change on the way.
+solve::StepReport Stepper::drive(mechanics::Controls from, const mechanics::Controls& to,
                                  const solve::Increment& label, solve::Observer& observer,
                                  const FrameListener& frame_reached) {
   const int frames = frame_reached ? scenario_.output.frames : 0;
@@ -96,8 +97,7 @@ solve::StepReport Stepper::express(const ExpressStep& step, const solve::Increme
   for (std::size_t m = 0; m < model_.muscles.size(); ++m) {
     to.activation[m] = activation_of(step, model_.muscles[m].name, model_.muscles[m].group);
   }
-  const mechanics::Controls from = controls_;
-  return drive(from, to, label, observer, frame_reached);
+  return drive(controls_, to, label, observer, frame_reached);
 }
 
 solve::StepReport Stepper::open_jaw(const OpenJawStep& step, const solve::Increment& label,
@@ -107,8 +107,7 @@ solve::StepReport Stepper::open_jaw(const OpenJawStep& step, const solve::Increm
   to.gravity = scenario_.gravity.vector();
   require(model_.face.jaw.has_value(), "names on the face have been checked");
   to.excitation = excite(*model_.face.jaw, step.excitations, controls_.excitation);
-  const mechanics::Controls from = controls_;
-  return drive(from, to, label, observer, frame_reached);
+  return drive(controls_, to, label, observer, frame_reached);
 }
 
 namespace {

@@ -51,8 +51,7 @@ class Stepper {
                                                         const solve::Increment& label,
                                                         solve::Observer& observer,
                                                         const FrameListener& frame_reached);
-  [[nodiscard]] solve::StepReport drive(const mechanics::Controls& from,
-                                        const mechanics::Controls& to,
+  [[nodiscard]] solve::StepReport drive(mechanics::Controls from, const mechanics::Controls& to,
                                         const solve::Increment& label, solve::Observer& observer,
                                         const FrameListener& frame_reached = {});
   [[nodiscard]] solve::StepReport let_go(const mechanics::Controls& to,
