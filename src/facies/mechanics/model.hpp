@@ -63,7 +63,8 @@ class Model {
   /// Where an admissible state lies beyond what the laws hold for (Term::overgrown); element -1: nowhere.
   [[nodiscard]] Inadmissible overgrown(const State& state) const;
 
-  /// How much of the way from one state to the other can be gone without anything passing through something else, 0..1.
+  /// How much of the straight way from one state to the other can be gone without anything passing through something else,
+  /// 0..1; what Term::longest_step says of it.
   [[nodiscard]] double longest_step(const State& from, const State& to) const;
 
  private:

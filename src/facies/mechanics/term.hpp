@@ -77,7 +77,9 @@ class Term {
   /// be evaluated, and iterations may pass through them, but an equilibrium there means nothing.
   [[nodiscard]] virtual Inadmissible overgrown(const State& /*state*/) const { return {}; }
 
-  /// How much of the way between two states can be gone without passing through something, 0..1.
+  /// How much of the straight way of every point between two states can be gone without passing through something, 0..1.
+  /// Only 1 is a promise about `to`: a part of the increments that led there may leave the way where a body turns, and has to
+  /// be asked about again.
   [[nodiscard]] virtual double longest_step(const State& /*from*/, const State& /*to*/) const {
     return 1.0;
   }
