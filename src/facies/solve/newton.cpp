@@ -20,11 +20,16 @@ constexpr double grow = 8.0;
 constexpr double largest_shift = 1e4;
 constexpr double smallest_positivity = 1.0 / 64.0;
 constexpr int patience_with_positivity = 3;
+// When a tangent that was indefinite is tried again: after so many iterations, or sooner where the residual fell that much.
+constexpr int patience_with_tangent = 6;
+constexpr double promising_fall = 0.2;
 constexpr double smallest_step = 1.0 / 65536.0;
 constexpr double energy_rounding = 1e-10;  // relative
 constexpr double sufficient = 1e-4;        // part of the expected decrease of energy that is enough
 constexpr double almost_all =
     0.999;  // of a way that was found free, so that rounding does not block it
+constexpr double longest_stretch = 16.0;  // times a whole step
+constexpr double still_steep = 0.5;    // part of the starting slope that makes going on worth a try
 constexpr double accepted_work = 0.9;  // part of the starting work that may remain after a step
 // Iterations in a row that may pass through states with an overgrown element. Where one heals, it does so in a few; where
 // the tissue tears, more only stretch it to infinity.
@@ -64,7 +69,17 @@ struct Equilibrium::Work {
 struct Equilibrium::Descent {
   double energy = 0.0;  // [uJ]
   bool in_time = false;
-  double work = 0.0;  // minus the slope of the energy along the whole step [uJ]
+};
+
+/// Where a part of a step leads.
+struct Equilibrium::Trial {
+  mechanics::State state;
+  std::vector<double> r;  // [n_dofs]
+  double free_way = 1.0;  // of the bent step
+  double energy = 0.0;    // [uJ]
+  double work_before =
+      0.0;  // minus the slope of the energy along the bent step, per whole step, where it begins [uJ]
+  double work_after = 0.0;  // the slope where it ends [uJ]
 };
 
 Equilibrium::Equilibrium(const mechanics::Model& model, std::vector<Index> prescribed)
@@ -177,15 +192,34 @@ double Equilibrium::work_of_free(std::span<const double> r,
 /// where differences of energy drown in rounding, it is not higher and the residual's work along the step fell. (The work alone
 /// would let iterations go to and fro between two states on either side of a kink, as contact has. In a time step, where
 /// a turning body has no potential and mass keeps iterations from that, it is enough.)
-bool Equilibrium::is_nearer(const Descent& before, double energy, double work, double step) const {
-  if (energy <= before.energy - sufficient * step * before.work) return true;
+bool Equilibrium::is_nearer(const Descent& before, const Trial& trial, double step) const {
+  if (trial.energy <= before.energy - sufficient * step * trial.work_before) return true;
   const bool not_higher =
-      before.in_time || energy <= before.energy + energy_rounding * std::abs(before.energy);
-  return not_higher && std::abs(work) <= accepted_work * before.work;
+      before.in_time || trial.energy <= before.energy + energy_rounding * std::abs(before.energy);
+  return not_higher && std::abs(trial.work_after) <= accepted_work * trial.work_before;
 }
 
-/// Longest part of the Newton step that leads, once bent, to an admissible state nearer to equilibrium. Updates state and
-/// residual; 0 where no part will do.
+/// The state where part `step` of the Newton step, bent, leads to; false where something is in the way (then `free_way` of the
+/// bent step is free) or the state is inadmissible.
+bool Equilibrium::try_step(const Work& work, const mechanics::State& state,
+                           const mechanics::Controls& controls, double step, Trial& trial,
+                           NewtonReport& report) const {
+  const std::vector<double> bent = model_.bent(state, work.increment, step);
+  trial.state = model_.moved(state, bent, 1.0);
+  trial.r.resize(work.r.size());
+  trial.free_way = model_.longest_step(state, trial.state);
+  if (trial.free_way < 1.0) return false;
+  if (!model_.residual(trial.state, controls, trial.r, &report.inadmissible)) return false;
+  trial.work_before = -work_of_free(work.r, bent) / step;
+  trial.work_after = work_of_free(trial.r, bent) / step;
+  if (!std::isfinite(trial.work_after)) return false;
+  if (!work.moving) trial.energy = model_.energy(trial.state, controls);
+  return true;
+}
+
+/// Part of the Newton step, the longest that is found by shortening it, which leads, once bent, to an admissible state
+/// nearer to equilibrium; where its end is still steep, more than the whole. Updates state and residual; 0 where no part
+/// will do.
 double Equilibrium::find_step(Work& work, mechanics::State& state,
                               const mechanics::Controls& controls, NewtonReport& report) const {
   Descent before;
@@ -194,35 +228,45 @@ double Equilibrium::find_step(Work& work, mechanics::State& state,
   work.increment = work.moves;
   for (std::size_t k = 0; k < work.step.size(); ++k)
     work.increment[at(assembly_.equations().dof_of_equation[k])] = work.step[k];
-  std::vector<double> r(work.r.size());
+  Trial trial;
   double step = 1.0;
   while (step >= smallest_step) {
-    const std::vector<double> bent = model_.bent(state, work.increment, step);
-    mechanics::State trial = model_.moved(state, bent, 1.0);
-    const double free_way = model_.longest_step(state, trial);
-    if (free_way < 1.0) {
-      step *= std::min(free_way, almost_all);
+    const bool admissible = try_step(work, state, controls, step, trial, report);
+    if (trial.free_way < 1.0) {
+      step *= std::min(trial.free_way, almost_all);
       continue;
     }
     double shorten = 0.5;
-    if (model_.residual(trial, controls, r, &report.inadmissible)) {
-      before.work = -work_of_free(work.r, bent) / step;
-      const double work_after = work_of_free(r, bent) / step;
-      const bool downhill = before.work > 0.0;
-      const bool nearer =
-          work.moving ||
-          (downhill && is_nearer(before, model_.energy(trial, controls), work_after, step));
-      if (std::isfinite(work_after) && nearer) {
-        state = std::move(trial);
-        work.r.swap(r);
+    if (admissible) {
+      const bool downhill = trial.work_before > 0.0;
+      if (work.moving || (downhill && is_nearer(before, trial, step))) {
+        if (step == 1.0 && !work.moving && !before.in_time)
+          step = go_on(work, state, controls, trial, report);
+        state = std::move(trial.state);
+        work.r.swap(trial.r);
         return step;
       }
-      if (std::isfinite(work_after) && downhill && work_after > 0.0)
-        shorten = std::clamp(before.work / (before.work + work_after), 0.1, 0.5);
+      if (downhill && trial.work_after > 0.0)
+        shorten = std::clamp(trial.work_before / (trial.work_before + trial.work_after), 0.1, 0.5);
     }
     step *= shorten;
   }
   return 0.0;
+}
+
+/// From the end of a whole step on, twice as far each time while the energy keeps falling and its slope stays steep.
+double Equilibrium::go_on(const Work& work, const mechanics::State& state,
+                          const mechanics::Controls& controls, Trial& best,
+                          NewtonReport& report) const {
+  double step = 1.0;
+  Trial farther;
+  while (step < longest_stretch && -best.work_after > still_steep * best.work_before &&
+         try_step(work, state, controls, 2.0 * step, farther, report) &&
+         farther.energy < best.energy) {
+    std::swap(best, farther);
+    step *= 2.0;
+  }
+  return step;
 }
 
 void Equilibrium::update_moves(Work& work, const mechanics::State& state,
@@ -290,10 +334,10 @@ NewtonReport Equilibrium::solve(mechanics::State& state, const mechanics::Contro
     iteration.relative = report.relative;
     if (listen) listen(iteration);
     if (is_over(work, state, settings, report)) return report;
-    const bool promising = iteration.exact || report.residual < 0.5 * previous;
+    const bool promising = iteration.exact || report.residual < promising_fall * previous;
     previous = report.residual;
     iteration = Iteration{.number = ++report.iterations};
-    const bool exact = promising || report.iterations % 3 == 0;
+    const bool exact = promising || report.iterations % patience_with_tangent == 0;
     const bool stepped = take_step(work, state, controls, exact, iteration, report);
     report.factorisations += iteration.factorisations;
     if (!stepped) {

@@ -58,6 +58,7 @@ class Equilibrium {
  private:
   struct Work;
   struct Descent;
+  struct Trial;
 
   void update_moves(Work& work, const mechanics::State& state,
                     std::span<const double> values) const;
@@ -73,8 +74,13 @@ class Equilibrium {
                                Iteration& iteration, NewtonReport& report);
   [[nodiscard]] double find_step(Work& work, mechanics::State& state,
                                  const mechanics::Controls& controls, NewtonReport& report) const;
-  [[nodiscard]] bool is_nearer(const Descent& before, double energy, double work,
-                               double step) const;
+  [[nodiscard]] double go_on(const Work& work, const mechanics::State& state,
+                             const mechanics::Controls& controls, Trial& best,
+                             NewtonReport& report) const;
+  [[nodiscard]] bool try_step(const Work& work, const mechanics::State& state,
+                              const mechanics::Controls& controls, double step, Trial& trial,
+                              NewtonReport& report) const;
+  [[nodiscard]] bool is_nearer(const Descent& before, const Trial& trial, double step) const;
   [[nodiscard]] double work_of_free(std::span<const double> r,
                                     std::span<const double> increments) const;
 
