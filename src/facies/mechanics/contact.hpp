@@ -119,7 +119,14 @@ class Contact final : public Term {
   [[nodiscard]] double relative_way(const Geometry& from, const Geometry& to,
                                     std::size_t point) const;
   [[nodiscard]] double safe_part(const Geometry& from, const Geometry& to, std::size_t point) const;
-  [[nodiscard]] Vec3 way_around(const Geometry& from, std::size_t point, const Vec3& way) const;
+  [[nodiscard]] ClosestOnTriangle closest_on(const Geometry& geometry, Index part,
+                                             const Vec3& x) const;
+  [[nodiscard]] double distance_within(const Geometry& geometry, const Vec3& x, double reach) const;
+  [[nodiscard]] double kept_gap(const Geometry& from, std::size_t point) const;
+  [[nodiscard]] Vec3 way_around(const Geometry& from, std::size_t point, const Vec3& way,
+                                double gap) const;
+  [[nodiscard]] Vec3 way_above(const Geometry& from, std::size_t point, const Vec3& way,
+                               double gap) const;
 
   const Model& model_;
   std::vector<ContactPoint> points_;
