@@ -96,11 +96,13 @@ struct NearestTriangles::Parts {
   /// Triangles around vertex v: around[first[v]] to around[first[v + 1] - 1].
   std::vector<std::size_t> first;
   std::vector<Index> around;
-  double size = 0.0;  ///< largest coordinate
+  std::vector<Eigen::AlignedBox3d> boxes;  ///< around the triangles
+  double size = 0.0;                       ///< largest coordinate
   Device device;
   Tree tree;
 
   void link_vertices();
+  void put_into_boxes();
 
   [[nodiscard]] std::array<Vec3, 3> corners(Index triangle) const {
     const Triangle& t = triangles[at(triangle)];
@@ -131,6 +133,14 @@ void NearestTriangles::Parts::link_vertices() {
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     for (const Index vertex : triangles[i])
       around[next[at(vertex)]++] = to_index(i);
+  }
+}
+
+void NearestTriangles::Parts::put_into_boxes() {
+  boxes.resize(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (const Index vertex : triangles[i])
+      boxes[i].extend(X[at(vertex)]);
   }
 }
 
@@ -173,6 +183,7 @@ NearestTriangles::NearestTriangles(std::span<const Vec3> X, std::span<const Tria
   parts->X.assign(X.begin(), X.end());
   parts->triangles.assign(triangles.begin(), triangles.end());
   parts->link_vertices();
+  parts->put_into_boxes();
   for (const Vec3& x : X)
     parts->size = std::max(parts->size, x.cwiseAbs().maxCoeff());
   parts->device = Device(rtcNewDevice("threads=1,user_threads=1"));
@@ -191,19 +202,24 @@ void NearestTriangles::within(const Vec3& point, double radius,
     const Parts& parts;
     const Vec3& point;
     double radius_squared;
+    double too_far_squared;
     std::vector<Index>& found;
   };
   triangles.clear();
   if (!(radius >= 0.0)) return;
-  Search search{*parts_, point, radius * radius, triangles};
+  const float too_far = parts_->search_radius(point, radius);
+  Search search{*parts_, point, radius * radius, double{too_far} * too_far, triangles};
   const auto add = [](RTCPointQueryFunctionArguments* candidate) {
     auto& s = *static_cast<Search*>(candidate->userPtr);
     const auto triangle = static_cast<Index>(candidate->primID);
+    // Embree tells whole leaves of its tree; most triangles in them are too far as their boxes are.
+    if (s.parts.boxes[at(triangle)].squaredExteriorDistance(s.point) > s.too_far_squared)
+      return false;
     if (s.parts.closest(triangle, s.point).distance_squared <= s.radius_squared)
       s.found.push_back(triangle);
     return false;
   };
-  parts_->query(point, parts_->search_radius(point, radius), add, &search);
+  parts_->query(point, too_far, add, &search);
   std::ranges::sort(triangles);
 }
 
