@@ -5,6 +5,8 @@
 #include "support/models.hpp"
 #include <gtest/gtest.h>
 
+#include "facies/mechanics/contact.hpp"
+
 namespace facies::mechanics {
 namespace {
 
@@ -46,6 +48,68 @@ Answers ask(int threads) {
   return answers;
 }
 
+/// A sheet of n by n squares of 1 mm, with bumps.
+ContactSurface bumpy_sheet(Index n, support::Random& random) {
+  ContactSurface sheet{"sheet", {}, {}};
+  for (Index i = 0; i <= n; ++i) {
+    for (Index j = 0; j <= n; ++j) {
+      sheet.vertices.push_back(
+          Anchor::on_node(to_index(sheet.vertices.size()), Vec3(i, j, random.uniform(-0.1, 0.1))));
+      if (i == n || j == n) continue;
+      const Index a = i * (n + 1) + j;
+      sheet.triangles.push_back({a, a + n + 1, a + n + 2});
+      sheet.triangles.push_back({a, a + n + 2, a + 1});
+    }
+  }
+  return sheet;
+}
+
+/// Everything that a contact answers: points over a sheet, of tissue or of bone, that fall on it.
+struct ContactAnswers {
+  double E = 0.0;
+  double longest_step = 0.0;
+  std::vector<double> r;
+  std::vector<double> K;
+  std::vector<double> bent;
+  std::vector<Index> likely;
+};
+
+ContactAnswers ask_contact(bool is_bone, int threads) {
+  support::Random random(6);
+  ContactSurface sheet = bumpy_sheet(6, random);
+  const auto n_vertices = to_index(sheet.vertices.size());
+  std::vector<ContactPoint> points;
+  for (Index k = 0; k < 60; ++k) {
+    const Vec3 X = Vec3(3.0, 3.0, 0.5) + random.vector(-3.0, 3.0).cwiseProduct(Vec3(1, 1, 0.1));
+    points.push_back({Anchor::on_node(n_vertices + k, X), random.uniform(0.5, 2.0)});
+  }
+  for (Anchor& vertex : sheet.vertices) {
+    if (is_bone) vertex = Anchor::in_space(vertex.X);
+  }
+  Model model(at(n_vertices + 60));
+  const Contact& contact = model.add(std::make_unique<Contact>(
+      model, points, std::move(sheet), ContactSettings{.threads = threads}));
+  const State state = model.initial_state();
+
+  ContactAnswers answers;
+  answers.E = model.energy(state, {});
+  answers.r.resize(model.n_dofs());
+  EXPECT_TRUE(model.residual(state, {}, answers.r));
+  const Eigen::MatrixXd K = support::dense_tangent(model, state, {});
+  answers.K.assign(K.data(), K.data() + K.size());
+  std::vector<double> fall(model.n_dofs());
+  for (Index k = 0; k < 60; ++k)
+    fall[at(dof(n_vertices + k, 2))] = -random.uniform(0.0, 2.0);
+  answers.longest_step = contact.longest_step(state, model.moved(state, fall, 1.0));
+  answers.bent = fall;
+  contact.bend(state, answers.bent);
+  EXPECT_EQ(answers.bent != fall, is_bone);
+  Stencils likely;
+  contact.likely_stencils(state, likely);
+  answers.likely = likely.dofs;
+  return answers;
+}
+
 class Threads : public ::testing::TestWithParam<int> {};
 
 TEST_P(Threads, DoNotChangeABit) {
@@ -57,6 +121,20 @@ TEST_P(Threads, DoNotChangeABit) {
   EXPECT_TRUE(support::same_bits(one.sigma, many.sigma)) << "stress";
   EXPECT_EQ(one.why.element, many.why.element) << "of several inverted elements the first";
   EXPECT_TRUE(support::same_bits<double>({one.why.J}, {many.why.J}));
+}
+
+TEST_P(Threads, DoNotChangeABitOfContact) {
+  for (const bool is_bone : {false, true}) {
+    const ContactAnswers one = ask_contact(is_bone, 1);
+    const ContactAnswers many = ask_contact(is_bone, GetParam());
+    EXPECT_GT(one.E, 0.0);
+    EXPECT_LT(one.longest_step, 1.0);
+    EXPECT_TRUE(support::same_bits<double>({one.E, one.longest_step}, {many.E, many.longest_step}));
+    EXPECT_TRUE(support::same_bits(one.r, many.r)) << "residual";
+    EXPECT_TRUE(support::same_bits(one.K, many.K)) << "tangent";
+    EXPECT_TRUE(support::same_bits(one.bent, many.bent)) << "bent step";
+    EXPECT_EQ(one.likely, many.likely);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Numbers, Threads, ::testing::Values(1, 2, 3, 4, 7));

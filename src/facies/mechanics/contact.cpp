@@ -5,11 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "facies/base/error.hpp"
+#include "facies/base/parallel.hpp"
 #include "facies/math/barrier.hpp"
 #include "facies/math/continuous_collision.hpp"
 #include "facies/math/point_triangle.hpp"
@@ -32,13 +33,24 @@ constexpr double kept_part = 0.5;
 /// A trial state with anything beyond this has gone astray [mm].
 constexpr double farthest = 1e9;
 
+void sort_each_once(std::vector<Index>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
 }  // namespace
 
 /// Points and surface at a state, in the frame of the surface where that is rigid: there it does not move.
 struct Contact::Geometry {
   std::vector<Vec3> points;
   std::vector<Vec3> vertices;
-  std::shared_ptr<const mesh::NearestTriangles> nearest;
+  std::shared_ptr<const mesh::NearestTriangles> nearest;  // of the triangles alone
+};
+
+/// From there to another state, in the same frame.
+struct Contact::Ways {
+  std::vector<Vec3> points;
+  std::vector<Vec3> vertices;
 };
 
 Contact::Contact(const Model& model, std::vector<ContactPoint> points, ContactSurface surface,
@@ -52,60 +64,70 @@ Contact::Contact(const Model& model, std::vector<ContactPoint> points, ContactSu
             "a contact surface belongs to one body or to the tissue");
   }
   list_parts();
-  list_surroundings();
+  list_own_parts();
   if (!is_rigid()) return;
   std::vector<Vec3> vertices;
   for (const Anchor& vertex : surface_.vertices)
     vertices.push_back(vertex.X);
-  rigid_ = std::make_shared<const mesh::NearestTriangles>(vertices, corners_);
+  rigid_ = std::make_shared<const mesh::NearestTriangles>(vertices, surface_.triangles);
 }
 
 void Contact::list_parts() {
-  std::map<std::pair<Index, Index>, std::vector<Index>>
-      edges;  // with the vertices of their triangles
+  std::map<std::pair<Index, Index>, std::vector<Index>> edges;  // with the triangles beside them
   std::map<Index, std::vector<Index>> vertices;
   for (const std::array<Index, 3>& triangle : surface_.triangles) {
-    parts_.push_back({triangle, 1.0, {triangle.begin(), triangle.end()}});
+    const Index number = to_index(parts_.size());
+    parts_.push_back({triangle, 1.0});
     for (std::size_t k = 0; k < 3; ++k) {
-      std::vector<Index>& beside = edges[std::minmax(triangle[k], triangle[(k + 1) % 3])];
-      beside.insert(beside.end(), triangle.begin(), triangle.end());
-      std::vector<Index>& around = vertices[triangle[k]];
-      around.insert(around.end(), triangle.begin(), triangle.end());
+      edges[std::minmax(triangle[k], triangle[(k + 1) % 3])].push_back(number);
+      vertices[triangle[k]].push_back(number);
     }
   }
+  rims_.resize(surface_.triangles.size());
+  const auto add = [&](const Part& part, const std::vector<Index>& triangles) {
+    for (const Index triangle : triangles)
+      rims_[at(triangle)].push_back(to_index(parts_.size()));
+    parts_.push_back(part);
+  };
   for (const auto& [edge, beside] : edges) {
-    const bool on_border = beside.size() == 3;
+    const bool on_border = beside.size() == 1;
     if (on_border) {
       vertices.erase(edge.first);
       vertices.erase(edge.second);
     } else {
-      parts_.push_back({{edge.first, edge.second, edge.second}, -1.0, beside});
+      add({{edge.first, edge.second, edge.second}, -1.0}, beside);
     }
   }
   for (const auto& [vertex, around] : vertices)
-    parts_.push_back({{vertex, vertex, vertex}, 1.0, around});
-  for (const Part& part : parts_)
-    corners_.push_back(part.corners);
+    add({{vertex, vertex, vertex}, 1.0}, around);
 }
 
-void Contact::list_surroundings() {
-  surroundings_.resize(points_.size());
+void Contact::list_own_parts() {
+  own_.resize(points_.size());
   if (is_rigid()) return;
   std::map<Index, Index> vertex_of_node;
   for (std::size_t v = 0; v < surface_.vertices.size(); ++v)
     vertex_of_node[surface_.vertices[v].index] = to_index(v);
-  std::vector<std::set<Index>> around(surface_.vertices.size());
-  for (const std::array<Index, 3>& triangle : surface_.triangles) {
-    for (const Index vertex : triangle)
-      around[at(vertex)].insert(triangle.begin(), triangle.end());
+  std::vector<std::vector<Index>> around(surface_.vertices.size());  // triangles of a vertex
+  for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
+    for (const Index vertex : surface_.triangles[t])
+      around[at(vertex)].push_back(to_index(t));
   }
   for (std::size_t p = 0; p < points_.size(); ++p) {
     const Anchor& anchor = points_[p].anchor;
     if (anchor.kind != Anchor::Kind::node) continue;
-    const auto own = vertex_of_node.find(anchor.index);
-    if (own == vertex_of_node.end()) continue;
-    const std::set<Index>& vertices = around[at(own->second)];
-    surroundings_[p].assign(vertices.begin(), vertices.end());
+    const auto vertex = vertex_of_node.find(anchor.index);
+    if (vertex == vertex_of_node.end()) continue;
+    std::vector<Index>& own = own_[p];
+    for (const Index inner : around[at(vertex->second)]) {
+      for (const Index corner : surface_.triangles[at(inner)])
+        own.insert(own.end(), around[at(corner)].begin(), around[at(corner)].end());
+    }
+    sort_each_once(own);
+    const std::vector<Index> triangles = own;
+    for (const Index triangle : triangles)
+      own.insert(own.end(), rims_[at(triangle)].begin(), rims_[at(triangle)].end());
+    sort_each_once(own);
   }
 }
 
@@ -143,9 +165,27 @@ std::optional<Contact::Geometry> Contact::geometry(const State& state) const {
     return std::nullopt;
   }
   if (!is_rigid()) {
-    now.nearest = std::make_shared<const mesh::NearestTriangles>(now.vertices, corners_);
+    now.nearest = std::make_shared<const mesh::NearestTriangles>(now.vertices, surface_.triangles);
   }
   return now;
+}
+
+Contact::Ways Contact::ways(const Geometry& from, const Geometry& to) {
+  Ways ways{to.points, to.vertices};
+  for (std::size_t p = 0; p < from.points.size(); ++p)
+    ways.points[p] -= from.points[p];
+  for (std::size_t v = 0; v < from.vertices.size(); ++v)
+    ways.vertices[v] -= from.vertices[v];
+  return ways;
+}
+
+/// Calls work(p) for every point, on several threads.
+template <class Work>
+void Contact::for_each_point(const Work& work) const {
+  parallel_for(points_.size(), settings_.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p)
+      work(p);
+  });
 }
 
 std::vector<Contact::Pair> Contact::pairs(const State& state, double distance) const {
@@ -155,28 +195,47 @@ std::vector<Contact::Pair> Contact::pairs(const State& state, double distance) c
 }
 
 bool Contact::is_own(std::size_t point, Index part) const {
-  const std::vector<Index>& own = surroundings_[point];
-  if (own.empty()) return false;
-  const std::vector<Index>& around = parts_[at(part)].around;
-  return std::any_of(around.begin(), around.end(), [&](Index vertex) {
-    return std::binary_search(own.begin(), own.end(), vertex);
-  });
+  return std::binary_search(own_[point].begin(), own_[point].end(), part);
+}
+
+ClosestOnTriangle Contact::closest(const Geometry& geometry, std::size_t point, Index part) const {
+  const std::array<Index, 3>& corners = parts_[at(part)].corners;
+  return closest_on_triangle(geometry.points[point], geometry.vertices[at(corners[0])],
+                             geometry.vertices[at(corners[1])], geometry.vertices[at(corners[2])]);
+}
+
+/// All parts at most this far from a point, ascending. No edge or vertex is nearer than its triangles are.
+std::vector<Index> Contact::parts_near(const Geometry& geometry, std::size_t point,
+                                       double distance) const {
+  std::vector<Index> near;
+  geometry.nearest->within(geometry.points[point], distance, near);
+  std::vector<Index> rims;
+  for (const Index triangle : near)
+    rims.insert(rims.end(), rims_[at(triangle)].begin(), rims_[at(triangle)].end());
+  sort_each_once(rims);
+  for (const Index part : rims) {
+    if (closest(geometry, point, part).distance_squared <= distance * distance)
+      near.push_back(part);
+  }
+  return near;
 }
 
 std::vector<Contact::Pair> Contact::pairs(const Geometry& geometry, double distance) const {
+  std::vector<std::vector<Index>> near(points_.size());
+  for_each_point([&](std::size_t p) {
+    near[p] = parts_near(geometry, p, distance);
+    std::erase_if(near[p], [&](Index part) { return is_own(p, part); });
+  });
   std::vector<Pair> found;
-  std::vector<Index> near;
   for (std::size_t p = 0; p < points_.size(); ++p) {
-    geometry.nearest->within(geometry.points[p], distance, near);
-    for (const Index part : near) {
-      if (!is_own(p, part)) found.push_back({p, part});
-    }
+    for (const Index part : near[p])
+      found.push_back({p, part});
   }
   return found;
 }
 
 std::array<Anchor, 4> Contact::anchors_of(const Pair& pair) const {
-  const std::array<Index, 3>& corners = corners_[at(pair.part)];
+  const std::array<Index, 3>& corners = parts_[at(pair.part)].corners;
   return {points_[pair.point].anchor, surface_.vertices[at(corners[0])],
           surface_.vertices[at(corners[1])], surface_.vertices[at(corners[2])]};
 }
@@ -188,12 +247,9 @@ double Contact::energy(const State& state, const Controls& /*controls*/) const {
   const Geometry& now = *somewhere;
   double E = 0.0;
   for (const Pair& pair : pairs(now, settings_.d_hat)) {
-    const std::array<Index, 3>& corners = corners_[at(pair.part)];
-    const ClosestOnTriangle closest =
-        closest_on_triangle(now.points[pair.point], now.vertices[at(corners[0])],
-                            now.vertices[at(corners[1])], now.vertices[at(corners[2])]);
-    if (closest.distance_squared == 0.0) return infinite;
-    E += weight(pair) * barrier(std::sqrt(closest.distance_squared), settings_.d_hat).b;
+    const double distance_squared = closest(now, pair.point, pair.part).distance_squared;
+    if (distance_squared == 0.0) return infinite;
+    E += weight(pair) * barrier(std::sqrt(distance_squared), settings_.d_hat).b;
   }
   return E;
 }
@@ -228,44 +284,43 @@ bool Contact::add_residual(const State& state, const Controls& /*controls*/, std
 }
 
 /// The farthest that a point goes with respect to any vertex of the surface [mm].
-double Contact::relative_way(const Geometry& from, const Geometry& to, std::size_t p) const {
-  const Vec3 way = to.points[p] - from.points[p];
+double Contact::relative_way(const Ways& ways, std::size_t p) const {
+  const Vec3& way = ways.points[p];
   if (is_rigid()) return way.norm();
-  double most = 0.0;
-  for (std::size_t v = 0; v < from.vertices.size(); ++v) {
-    const double relative = (way - (to.vertices[v] - from.vertices[v])).norm();
-    if (!(relative < farthest)) return relative;  // not a number, or as good as none
-    most = std::max(most, relative);
+  double most_squared = 0.0;
+  for (const Vec3& vertex : ways.vertices) {
+    const double squared = (way - vertex).squaredNorm();
+    if (!(squared < farthest * farthest)) return farthest;  // not a number, or as good as none
+    most_squared = std::max(most_squared, squared);
   }
-  return most;
+  return std::sqrt(most_squared);
 }
 
 /// How much of its way point `p` can go.
-double Contact::safe_part(const Geometry& from, const Geometry& to, std::size_t p) const {
-  const double reach = relative_way(from, to, p);
+double Contact::safe_part(const Geometry& from, const Ways& ways, std::size_t p) const {
+  const double reach = relative_way(ways, p);
   if (reach == 0.0) return 1.0;
   if (!(reach < farthest)) return 0.0;
-  const Vec3 way = to.points[p] - from.points[p];
-  std::vector<Index> near;
+  std::vector<Index>
+      near;  // triangles: nothing comes to their edges and vertices before it comes to them
   const double looked_at = std::min(1.0, longest_way / reach);
   from.nearest->within(from.points[p], looked_at * reach, near);
   double safe = looked_at;
-  for (const Index part : near) {
-    if (is_own(p, part) || parts_[at(part)].corners[1] == parts_[at(part)].corners[2]) continue;
-    const std::array<Index, 3>& corners = corners_[at(part)];
-    const auto start = [&](std::size_t k) { return from.vertices[at(corners[k])]; };
-    const auto motion = [&](std::size_t k) -> Vec3 {
-      return looked_at * (to.vertices[at(corners[k])] - from.vertices[at(corners[k])]);
-    };
-    safe = std::min(safe, looked_at * safe_time({from.points[p], start(0), start(1), start(2)},
-                                                {looked_at * way, motion(0), motion(1), motion(2)},
-                                                kept_fraction));
+  for (const Index triangle : near) {
+    if (is_own(p, triangle)) continue;
+    const auto [a, b, c] = surface_.triangles[at(triangle)];
+    const PointAndTriangle start{from.points[p], from.vertices[at(a)], from.vertices[at(b)],
+                                 from.vertices[at(c)]};
+    const PointAndTriangle motion{looked_at * ways.points[p], looked_at * ways.vertices[at(a)],
+                                  looked_at * ways.vertices[at(b)],
+                                  looked_at * ways.vertices[at(c)]};
+    safe = std::min(safe, looked_at * safe_time(start, motion, kept_fraction));
   }
   // Nothing is near on the part looked at; beyond it something may be.
   if (safe == looked_at && looked_at < 1.0) {
     from.nearest->within(from.points[p], reach, near);
     const bool alone =
-        std::all_of(near.begin(), near.end(), [&](Index part) { return is_own(p, part); });
+        std::all_of(near.begin(), near.end(), [&](Index triangle) { return is_own(p, triangle); });
     return alone ? 1.0 : looked_at;
   }
   return safe;
@@ -273,19 +328,14 @@ double Contact::safe_part(const Geometry& from, const Geometry& to, std::size_t 
 
 /// The way of a point, turned so that it comes no nearer to any part that it would run into than it may in one step.
 Vec3 Contact::way_around(const Geometry& from, std::size_t p, const Vec3& way) const {
-  const Vec3& x = from.points[p];
-  std::vector<Index> near;
-  from.nearest->within(x, way.norm() + kept_gap * settings_.d_hat, near);
+  const std::vector<Index> near = parts_near(from, p, way.norm() + kept_gap * settings_.d_hat);
   Vec3 allowed = way;
   constexpr int sweeps = 3;  // what one part allows another may not
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (const Index part : near) {
-      const std::array<Index, 3>& corners = corners_[at(part)];
-      const ClosestOnTriangle closest =
-          closest_on_triangle(x, from.vertices[at(corners[0])], from.vertices[at(corners[1])],
-                              from.vertices[at(corners[2])]);
-      const double distance = std::sqrt(closest.distance_squared);
-      const Vec3 outwards = closest.offset / distance;
+      const ClosestOnTriangle there = closest(from, p, part);
+      const double distance = std::sqrt(there.distance_squared);
+      const Vec3 outwards = there.offset / distance;
       const double kept = std::min(kept_gap * settings_.d_hat, kept_part * distance);
       const double too_far = kept - distance - outwards.dot(allowed);
       if (too_far > 0.0) allowed += too_far * outwards;
@@ -300,27 +350,29 @@ void Contact::bend(const State& from, std::span<double> increments) const {
   const std::optional<Geometry> before = geometry(from);
   const std::optional<Geometry> after = geometry(to);
   if (!before || !after) return;
+  const Ways straight = ways(*before, *after);
   const Anchor& first = surface_.vertices.front();
   const Mat3 R = first.kind == Anchor::Kind::body ? to.bodies[at(first.index)].R : Mat3::Identity();
+  std::vector<Vec3> change(points_.size(), Vec3::Zero());
+  for_each_point([&](std::size_t p) {
+    if (points_[p].anchor.kind != Anchor::Kind::node) return;
+    const Vec3& way = straight.points[p];
+    if (safe_part(*before, straight, p) < 1.0) change[p] = R * (way_around(*before, p, way) - way);
+  });
   for (std::size_t p = 0; p < points_.size(); ++p) {
-    const Anchor& anchor = points_[p].anchor;
-    if (anchor.kind != Anchor::Kind::node) continue;
-    const Vec3 way = after->points[p] - before->points[p];
-    if (safe_part(*before, *after, p) == 1.0) continue;
-    const Vec3 change = R * (way_around(*before, p, way) - way);
-    Eigen::Map<Vec3>(increments.data() + dof(anchor.index, 0)) += change;
+    if (points_[p].anchor.kind != Anchor::Kind::node) continue;
+    Eigen::Map<Vec3>(increments.data() + dof(points_[p].anchor.index, 0)) += change[p];
   }
 }
 
 double Contact::longest_step(const State& from, const State& to) const {
-  const std::optional<Geometry> here = geometry(from);
-  require(here.has_value(), "steps begin at states that have an energy");
-  const Geometry& before = *here;
-  const Geometry after = places(to);
-  double step = 1.0;
-  for (std::size_t p = 0; p < points_.size(); ++p)
-    step = std::min(step, safe_part(before, after, p));
-  return step;
+  const std::optional<Geometry> before = geometry(from);
+  require(before.has_value(), "steps begin at states that have an energy");
+  const Ways straight = ways(*before, places(to));
+  std::vector<double> safe(points_.size(), 1.0);
+  for_each_point([&](std::size_t p) { safe[p] = safe_part(*before, straight, p); });
+  return std::accumulate(safe.begin(), safe.end(), 1.0,
+                         [](double a, double b) { return std::min(a, b); });
 }
 
 /// The point that a run of pairs begins with, and the vertices of all its parts, each once.
@@ -328,13 +380,11 @@ Contact::Group Contact::group_of(std::span<const Pair> pairs) const {
   const std::size_t point = pairs.front().point;
   Group group;
   while (group.n_pairs < pairs.size() && pairs[group.n_pairs].point == point) {
-    const std::array<Index, 3>& corners = corners_[at(pairs[group.n_pairs].part)];
+    const std::array<Index, 3>& corners = parts_[at(pairs[group.n_pairs].part)].corners;
     group.vertices.insert(group.vertices.end(), corners.begin(), corners.end());
     ++group.n_pairs;
   }
-  std::sort(group.vertices.begin(), group.vertices.end());
-  group.vertices.erase(std::unique(group.vertices.begin(), group.vertices.end()),
-                       group.vertices.end());
+  sort_each_once(group.vertices);
   group.anchors.push_back(points_[point].anchor);
   for (const Index vertex : group.vertices)
     group.anchors.push_back(surface_.vertices[at(vertex)]);
@@ -373,7 +423,7 @@ Eigen::MatrixXd Contact::group_tangent(const State& state, const Group& group,
     const auto place =
         [&](std::size_t k) -> Eigen::Index {  // of the pair's k-th place in the group
       if (k == 0) return 0;
-      const Index vertex = corners_[at(pair.part)][k - 1];
+      const Index vertex = parts_[at(pair.part)].corners[k - 1];
       const auto found = std::lower_bound(group.vertices.begin(), group.vertices.end(), vertex);
       return 3 * (1 + (found - group.vertices.begin()));
     };

@@ -35,6 +35,7 @@ struct ContactSettings {
   double stiffness =
       100.0;  ///< of the barrier [kPa/mm]; the pressure at d_hat/2 is 1.19 d_hat times this
   double reach = 2.0;  ///< couplings are kept for what is nearer than this [mm]
+  int threads = 1;     ///< has no influence on any answer
 };
 
 /// What a surface feels.
@@ -81,7 +82,6 @@ class Contact final : public Term {
   struct Part {
     std::array<Index, 3> corners{};
     double sign = 1.0;
-    std::vector<Index> around;  // vertices of the triangles that it belongs to
   };
   struct Pair {
     std::size_t point = 0;
@@ -100,34 +100,41 @@ class Contact final : public Term {
     std::vector<Anchor> anchors;  // the point, then the vertices
   };
   struct Geometry;
+  struct Ways;
 
+  void list_parts();
+  void list_own_parts();
   [[nodiscard]] bool is_rigid() const;
   [[nodiscard]] Geometry places(const State& state) const;
   [[nodiscard]] std::optional<Geometry> geometry(const State& state) const;
+  [[nodiscard]] static Ways ways(const Geometry& from, const Geometry& to);
+  template <class Work>
+  void for_each_point(const Work& work) const;
+  [[nodiscard]] bool is_own(std::size_t point, Index part) const;
+  [[nodiscard]] ClosestOnTriangle closest(const Geometry& geometry, std::size_t point,
+                                          Index part) const;
+  [[nodiscard]] std::vector<Index> parts_near(const Geometry& geometry, std::size_t point,
+                                              double distance) const;
   [[nodiscard]] std::vector<Pair> pairs(const State& state, double distance) const;
   [[nodiscard]] std::vector<Pair> pairs(const Geometry& geometry, double distance) const;
-  [[nodiscard]] std::optional<Touch> touch(const State& state, const Pair& pair) const;
   [[nodiscard]] std::array<Anchor, 4> anchors_of(const Pair& pair) const;
-  [[nodiscard]] bool is_own(std::size_t point, Index part) const;
+  [[nodiscard]] std::optional<Touch> touch(const State& state, const Pair& pair) const;
   [[nodiscard]] double weight(const Pair& pair) const;
-  void list_parts();
-  void list_surroundings();
   [[nodiscard]] Group group_of(std::span<const Pair> pairs) const;
   void push_groups(std::span<const Pair> pairs, Stencils& stencils) const;
   [[nodiscard]] Eigen::MatrixXd group_tangent(const State& state, const Group& group,
                                               std::span<const Pair> pairs) const;
-  [[nodiscard]] double relative_way(const Geometry& from, const Geometry& to,
-                                    std::size_t point) const;
-  [[nodiscard]] double safe_part(const Geometry& from, const Geometry& to, std::size_t point) const;
+  [[nodiscard]] double relative_way(const Ways& ways, std::size_t point) const;
+  [[nodiscard]] double safe_part(const Geometry& from, const Ways& ways, std::size_t point) const;
   [[nodiscard]] Vec3 way_around(const Geometry& from, std::size_t point, const Vec3& way) const;
 
   const Model& model_;
   std::vector<ContactPoint> points_;
   ContactSurface surface_;
   ContactSettings settings_;
-  std::vector<Part> parts_;
-  std::vector<std::array<Index, 3>> corners_;     // of the parts
-  std::vector<std::vector<Index>> surroundings_;  // [n_points] vertices of the surface, ascending
+  std::vector<Part> parts_;               // the triangles, in their order; then edges and vertices
+  std::vector<std::vector<Index>> rims_;  // [n_triangles] parts that are edges and vertices of it
+  std::vector<std::vector<Index>> own_;  // [n_points] parts that the point does not feel, ascending
   std::shared_ptr<const mesh::NearestTriangles>
       rigid_;  // where the surface is a bone: in the bone's own frame
 };

@@ -174,7 +174,7 @@ std::unique_ptr<FaceModel> build_model(anatomy::FaceAnatomy face, const Scenario
   built->initial = built->model.initial_state();
   ContactTerms contact =
       add_contacts(built->model, built->face, built->jaw ? &*built->jaw : nullptr, scenario.contact,
-                   nodes_on_bone(*built));
+                   nodes_on_bone(*built), threads);
   built->contacts = std::move(contact.contacts);
   if (!contact.start.empty()) built->initial.u = std::move(contact.start);
   if (has_dynamics(scenario)) add_dynamics(*built, scenario.dynamics, std::move(mass));

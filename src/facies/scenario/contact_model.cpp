@@ -203,9 +203,9 @@ std::vector<Vec3> resolve_overlaps(const anatomy::FaceAnatomy& face,
 
 ContactTerms add_contacts(mechanics::Model& model, const anatomy::FaceAnatomy& face,
                           const SettledJaw* settled, const ContactChoice& choice,
-                          const std::set<Index>& left_out) {
-  const mechanics::ContactSettings settings{.d_hat = choice.distance,
-                                            .stiffness = choice.stiffness};
+                          const std::set<Index>& left_out, int threads) {
+  const mechanics::ContactSettings settings{
+      .d_hat = choice.distance, .stiffness = choice.stiffness, .threads = threads};
   ContactTerms terms;
   std::vector<BoneObstacle> obstacles = bone_obstacles(face, settled, choice);
   if (!obstacles.empty()) {

@@ -51,6 +51,6 @@ struct ContactTerms {
 /// and the face set "mouth" against itself. Throws as bone_obstacles and resolve_overlaps.
 ContactTerms add_contacts(mechanics::Model& model, const anatomy::FaceAnatomy& face,
                           const SettledJaw* settled, const ContactChoice& choice,
-                          const std::set<Index>& left_out);
+                          const std::set<Index>& left_out, int threads);
 
 }  // namespace facies::scenario
