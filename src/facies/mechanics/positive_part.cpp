@@ -25,7 +25,7 @@ template <class Block>
 void reduce(Eigen::Map<Eigen::MatrixXd> matrix, double positivity) {
   if (has_no_negative<Block>(matrix)) return;
   const Eigen::SelfAdjointEigenSolver<Block> modes(matrix);
-  const auto lambda = modes.eigenvalues();
+  const auto& lambda = modes.eigenvalues();
   if (lambda(0) >= 0.0) return;
   const Block& V = modes.eigenvectors();
   matrix = V * (lambda - positivity * lambda.cwiseMin(0.0)).asDiagonal() * V.transpose();
