@@ -55,9 +55,9 @@ struct ContactChoice {
   bool bones = false;  ///< mandible and maxilla, where the face has them
   std::string skull =
       "none";                ///< what stands for bone that is not given: "inner_surface" or "none"
-  bool lips = false;         ///< the surface around the mouth against itself
-  double distance = 0.5;     ///< from which on a surface is felt [mm]
-  double stiffness = 100.0;  ///< of the barrier [kPa/mm]
+  bool lips = false;        ///< the surface around the mouth against itself
+  double distance = 1.0;    ///< from which on a surface is felt [mm]
+  double stiffness = 20.0;  ///< of the barrier [kPa/mm]
 
   friend bool operator==(const ContactChoice&, const ContactChoice&) = default;
 };
