@@ -1,65 +1,65 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's own face through its own protocol, nothing tuned: tension, release and the four expressions of Table 3
-// that need no jaw. Contact is not there yet, so lips and chin are not compared; the mouth corner is.
-#include <algorithm>
-
-#include "anatomy/reference_face.hpp"
-#include "support/session.hpp"
-
-#include "facies/results/summary.hpp"
-#include "facies/scenario/folders.hpp"
-#include "facies/scenario/read_scenario.hpp"
-#include "facies/scenario/recorder.hpp"
-#include "facies/scenario/stepper.hpp"
+// The paper's own face through its own protocol, nothing tuned: tension, release and the expressions of Table 3, with contact and a
+// jaw that moves. Numbers are compared with the paper's within 15 % and 4 points; what does not reach them yet
+// (docs/theory/contact.md) is held to its sign.
+#include "face_run.hpp"
 
 namespace facies::scenario {
 namespace {
 
-/// What may lie between model and paper while tissue passes through teeth: the band for the mouth corner's displacement [mm].
-constexpr double mouth_corner_band = 3.0;
+constexpr double aim = 0.15;         // of a displacement
+constexpr double aim_percent = 4.0;  // points, of a change of distance
 
-struct Outcome {
-  bool converged = false;
-  results::Headline rest, expression;
-  std::map<std::string, double> displacement;  // landmark -> mm
-};
+class Expressions : public FaceRun {};
 
-Outcome carry_out(const std::string& name) {
-  const Scenario scenario =
-      read_scenario(std::filesystem::path(FACIES_SOURCE_DIR) / "scenarios" / (name + ".yaml"));
-  const std::string spec = "artisynth:" + anatomy::reference_folder()->string();
-  const auto model = build_model(anatomy::load_face(spec, anatomy::data_folder()), scenario, 2);
-  const results::Subject subject = make_subject(*model);
-  Stepper stepper(*model, scenario);
-  solve::Observer silent;
-  Outcome outcome;
-  if (!stepper.take(1, silent).converged || !stepper.take(2, silent).converged) return outcome;
-  const mechanics::State rest = stepper.state();
-  outcome.rest =
-      results::make_headline(subject, make_snapshot(*model, rest, stepper.controls()), nullptr);
-  if (!stepper.take(3, silent).converged) return outcome;
-  outcome.converged = true;
-  outcome.expression = results::make_headline(
-      subject, make_snapshot(*model, stepper.state(), stepper.controls()), &rest);
-  for (const results::LandmarkMeasure& landmark : outcome.expression.landmarks) {
-    outcome.displacement[landmark.landmark] = landmark.displacement;
-  }
-  return outcome;
+TEST_F(Expressions, OpenSmileBeginsAtASkinUnderTensionAndMovesTheMouthAsPublished) {
+  ASSERT_TRUE(carry_out("smile-open"));
+  expect_contact_and_jaw_in_order();
+  const results::Headline rest = headline(2);
+  EXPECT_GE(rest.tension.away_from_borders.value(), 0.95);
+  EXPECT_NEAR(rest.volumes.deformed / rest.volumes.stress_free, 1.0, 0.03);
+  const results::Headline smile = headline(4);
+  EXPECT_GT(smile.J.smallest, 0.0);
+  EXPECT_GE(smile.J.smallest_element, 0);
+  EXPECT_GE(smile.J.largest_element, 0);
+  const std::map<std::string, double> displacement = displacements();
+  EXPECT_NEAR(displacement.at("RMC"), 12.0, aim * 12.0);
+  EXPECT_NEAR(displacement.at("PG"), 3.5, aim * 3.5);
+  EXPECT_NEAR(change_percent("RMC", "LMC"), 18.0, aim_percent);
+  EXPECT_LT(change_percent("RC", "RMC"), -10.0);
+  EXPECT_GT(change_percent("PH", "SL"), 15.0);
 }
 
-double change_percent(const results::Headline& headline, const std::string& a,
-                      const std::string& b) {
-  for (const results::PairMeasure& pair : headline.pairs) {
-    if (pair.a == a && pair.b == b) return pair.change_percent;
-  }
-  return 0.0;
+TEST_F(Expressions, ClosedSmileMovesTheMouthCornerAsPublished) {
+  ASSERT_TRUE(carry_out("smile-closed"));
+  expect_contact_and_jaw_in_order();
+  EXPECT_NEAR(displacements().at("RMC"), 10.7, aim * 10.7);
 }
 
-class Expressions : public anatomy::ReferenceFaceTest {};
+TEST_F(Expressions, TurningTheLipsDownMovesTheMouthCornerAsPublished) {
+  ASSERT_TRUE(carry_out("lips-down"));
+  expect_contact_and_jaw_in_order();
+  EXPECT_NEAR(displacements().at("RMC"), 11.0, aim * 11.0);
+}
+
+TEST_F(Expressions, PursingBringsTheMouthCornersTogether) {
+  ASSERT_TRUE(carry_out("purse"));
+  expect_contact_and_jaw_in_order();
+  EXPECT_LT(change_percent("RMC", "LMC"), -20.0);
+}
+
+TEST_F(Expressions, TheOpenersTakeTheIncisorsApartAsPublished) {
+  ASSERT_TRUE(carry_out("mouth-open"));
+  expect_contact_and_jaw_in_order();
+  EXPECT_NEAR(measure_jaw(*model_, states_.back())->incisor_distance, 40.0, aim * 40.0);
+}
 
 TEST_F(Expressions, ShowBonesAndTeethOfAJawThatIsHeld) {
-  const Scenario scenario =
+  Scenario scenario =
       read_scenario(std::filesystem::path(FACIES_SOURCE_DIR) / "scenarios" / "smile-open.yaml");
+  scenario.jaw = "held";
+  scenario.contact = {.bones = false, .skull = "none", .lips = false};
+  scenario.steps.resize(3);  // without the one that opens the jaw
   const std::string spec = "artisynth:" + anatomy::reference_folder()->string();
   const auto model = build_model(anatomy::load_face(spec, anatomy::data_folder()), scenario, 1);
   const results::Subject subject = make_subject(*model);
@@ -70,37 +70,6 @@ TEST_F(Expressions, ShowBonesAndTeethOfAJawThatIsHeld) {
     n_teeth += static_cast<int>(std::ranges::count(bone.is_tooth, true));
   }
   EXPECT_GT(n_teeth, 100);
-}
-
-TEST_F(Expressions, OpenSmileConvergesFromASkinUnderTensionAndMovesTheMouthCornerAsPublished) {
-  const Outcome smile = carry_out("smile-open");
-  ASSERT_TRUE(smile.converged);
-  EXPECT_GE(smile.rest.tension.away_from_borders.value(), 0.95);
-  EXPECT_NEAR(smile.rest.volumes.deformed / smile.rest.volumes.stress_free, 1.0, 0.03);
-  EXPECT_GT(smile.expression.J.smallest, 0.0);
-  EXPECT_GE(smile.expression.J.smallest_element, 0);
-  EXPECT_GE(smile.expression.J.largest_element, 0);
-  EXPECT_NEAR(smile.displacement.at("RMC"), 12.0, mouth_corner_band);
-  EXPECT_GT(change_percent(smile.expression, "RMC", "LMC"), 0.0);  // the mouth widens
-  EXPECT_LT(change_percent(smile.expression, "RC", "RMC"), 0.0);   // its corner comes up
-}
-
-TEST_F(Expressions, ClosedSmileMovesTheMouthCornerAsPublished) {
-  const Outcome smile = carry_out("smile-closed");
-  ASSERT_TRUE(smile.converged);
-  EXPECT_NEAR(smile.displacement.at("RMC"), 10.7, mouth_corner_band);
-}
-
-TEST_F(Expressions, TurningTheLipsDownMovesTheMouthCornerAsPublished) {
-  const Outcome down = carry_out("lips-down");
-  ASSERT_TRUE(down.converged);
-  EXPECT_NEAR(down.displacement.at("RMC"), 11.0, mouth_corner_band);
-}
-
-TEST_F(Expressions, PursingConvergesAndBringsTheMouthCornersTogether) {
-  const Outcome purse = carry_out("purse");
-  ASSERT_TRUE(purse.converged);
-  EXPECT_LT(change_percent(purse.expression, "RMC", "LMC"), 0.0);
 }
 
 }  // namespace

@@ -52,10 +52,10 @@ struct Gravity {
 
 /// What tissue may not pass.
 struct ContactChoice {
-  bool bones = false;  ///< mandible and maxilla, where the face has them
+  bool bones = true;  ///< mandible and maxilla, where the face has them
   std::string skull =
-      "none";                ///< what stands for bone that is not given: "inner_surface" or "none"
-  bool lips = false;        ///< the surface around the mouth against itself
+      "inner_surface";      ///< what stands for bone that is not given: "inner_surface" or "none"
+  bool lips = true;         ///< the surface around the mouth against itself
   double distance = 1.0;    ///< from which on a surface is felt [mm]
   double stiffness = 20.0;  ///< of the barrier [kPa/mm]
 
@@ -152,7 +152,7 @@ struct Scenario {
   double density = 1040e-9;  ///< of all tissue [kg/mm^3]
   Gravity gravity;
   ContactChoice contact;
-  std::string jaw = "held";  ///< where it stands at rest, or "free"
+  std::string jaw = "free";  ///< or "held" where it stands at rest
   std::vector<Step> steps;
   SolverChoice solver;
   DynamicsChoice dynamics;

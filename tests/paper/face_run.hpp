@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's face with its jaw free and everything in contact: it converges, nothing lies in bone, lips do not cross, forces on the
-// jaw balance, and the mouth opens.
+// A scenario that ships, taken through all its steps on the paper's face, and what has to hold after every one of them.
+#pragma once
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
 #include <numbers>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "anatomy/reference_face.hpp"
 #include "support/session.hpp"
 #include <Eigen/Geometry>
 
+#include "facies/results/summary.hpp"
 #include "facies/scenario/bone_surface.hpp"
 #include "facies/scenario/folders.hpp"
 #include "facies/scenario/mechanism_report.hpp"
@@ -17,12 +25,12 @@
 #include "facies/scenario/stepper.hpp"
 
 namespace facies::scenario {
-namespace {
 
 /// How often a closed surface goes round a point: the sum of the solid angles of its triangles by 4 pi (Van Oosterom and
 /// Strackee 1983). 1 inside, 0 outside, however small or twisted the triangles nearby.
-double winding_number(const std::vector<Vec3>& x,
-                      const std::vector<std::array<Index, 3>>& triangles, const Vec3& point) {
+inline double winding_number(const std::vector<Vec3>& x,
+                             const std::vector<std::array<Index, 3>>& triangles,
+                             const Vec3& point) {
   double sum = 0.0;
   for (const std::array<Index, 3>& triangle : triangles) {
     const Vec3 a = x[at(triangle[0])] - point;
@@ -37,13 +45,12 @@ double winding_number(const std::vector<Vec3>& x,
   return sum / (4.0 * std::numbers::pi);
 }
 
-class ContactOnTheFace : public anatomy::ReferenceFaceTest {
+class FaceRun : public anatomy::ReferenceFaceTest {
  protected:
-  /// Takes all steps; false where one does not converge.
-  [[nodiscard]] bool carry_out(const std::string& text) {
-    const Reading reading = read_text(text, "test.yaml", "test", {});
-    EXPECT_TRUE(reading.problems.empty());
-    scenario_ = reading.scenario;
+  /// Takes all steps of the scenario; false where one does not converge.
+  [[nodiscard]] bool carry_out(const std::string& name) {
+    scenario_ =
+        read_scenario(std::filesystem::path(FACIES_SOURCE_DIR) / "scenarios" / (name + ".yaml"));
     const std::string spec = "artisynth:" + anatomy::reference_folder()->string();
     model_ = build_model(anatomy::load_face(spec, anatomy::data_folder()), scenario_, 2);
     Stepper stepper(*model_, scenario_);
@@ -51,9 +58,44 @@ class ContactOnTheFace : public anatomy::ReferenceFaceTest {
     for (std::size_t step = 1; step <= scenario_.steps.size(); ++step) {
       if (!stepper.take(static_cast<int>(step), silent).converged) return false;
       states_.push_back(stepper.state());
+      controls_.push_back(stepper.controls());
     }
-    controls_ = stepper.controls();
     return true;
+  }
+
+  /// Nothing lies in the mandible or touches anything, in no state; at the end the forces on the jaw balance.
+  void expect_contact_and_jaw_in_order() const {
+    EXPECT_EQ(n_nodes_in_the_mandible(model_->initial), 0);
+    for (const mechanics::State& state : states_) {
+      EXPECT_EQ(n_nodes_in_the_mandible(state), 0);
+      for (const results::ContactMeasure& contact : measure_contacts(*model_, state))
+        EXPECT_GT(contact.smallest_distance, 0.0) << contact.name;
+    }
+    EXPECT_LT(imbalance_of_the_jaw(states_.back()), 1e-6);
+  }
+
+  /// What the terminal shows of a step, counted from 1; displacements from the tensioned rest.
+  [[nodiscard]] results::Headline headline(std::size_t step) const {
+    const results::Subject subject = make_subject(*model_);
+    const mechanics::State* rest = step > 2 ? &states_[1] : nullptr;
+    return results::make_headline(
+        subject, make_snapshot(*model_, states_[step - 1], controls_[step - 1]), rest);
+  }
+
+  /// Displacements of the landmarks at the end [mm].
+  [[nodiscard]] std::map<std::string, double> displacements() const {
+    std::map<std::string, double> displacement;
+    for (const results::LandmarkMeasure& landmark : headline(states_.size()).landmarks)
+      displacement[landmark.landmark] = landmark.displacement;
+    return displacement;
+  }
+
+  /// How much the distance of two landmarks has changed at the end [%].
+  [[nodiscard]] double change_percent(const std::string& a, const std::string& b) const {
+    for (const results::PairMeasure& pair : headline(states_.size()).pairs) {
+      if (pair.a == a && pair.b == b) return pair.change_percent;
+    }
+    return 0.0;
   }
 
   /// Nodes of the inner surface that lie inside the mandible.
@@ -85,7 +127,7 @@ class ContactOnTheFace : public anatomy::ReferenceFaceTest {
     double size = 0.0;
     for (const auto& term : model_->model.terms()) {
       std::vector<double> r(model_->model.n_dofs());
-      EXPECT_TRUE(term->add_residual(state, controls_, r, nullptr));
+      EXPECT_TRUE(term->add_residual(state, controls_.back(), r, nullptr));
       for (int k = 0; k < 6; ++k) {
         const std::size_t dof = at(model_->model.body_dof(0, k));
         sum[dof] += r[dof];
@@ -100,37 +142,8 @@ class ContactOnTheFace : public anatomy::ReferenceFaceTest {
 
   Scenario scenario_;
   std::unique_ptr<FaceModel> model_;
-  std::vector<mechanics::State> states_;
-  mechanics::Controls controls_;
+  std::vector<mechanics::State> states_;  // after each step
+  std::vector<mechanics::Controls> controls_;
 };
 
-const std::string everything =
-    "jaw: free\ncontact: {bones: true, skull: inner_surface, lips: true}\n";
-
-TEST_F(ContactOnTheFace, OpenSmileLeavesNothingInBoneAndTheJawInBalance) {
-  ASSERT_TRUE(carry_out(everything +
-                        "steps:\n  - tension: {tsf: 1.10}\n  - release\n  - express: {ZYG: 0.5, "
-                        "LLSAN: 0.5, LAO: 0.5, RIS: 0.6, DLI: 0.5, DAO: 0.5}\n"));
-  EXPECT_EQ(n_nodes_in_the_mandible(model_->initial), 0);
-  for (const mechanics::State& state : states_) {
-    EXPECT_EQ(n_nodes_in_the_mandible(state), 0);
-    for (const results::ContactMeasure& contact : measure_contacts(*model_, state))
-      EXPECT_GT(contact.smallest_distance, 0.0) << contact.name;
-  }
-  EXPECT_LT(imbalance_of_the_jaw(states_.back()), 1e-6);
-}
-
-TEST_F(ContactOnTheFace, MouthOpensWideByTheMusclesOfTheJaw) {
-  ASSERT_TRUE(carry_out(everything +
-                        "solver: {max_iterations: 250}\nsteps:\n  - tension: {tsf: 1.10}\n  - "
-                        "release\n  - open_jaw: {bi_open_2014: 1}\n"));
-  EXPECT_EQ(n_nodes_in_the_mandible(states_.back()), 0);
-  EXPECT_LT(imbalance_of_the_jaw(states_.back()), 1e-6);
-  const double rest = measure_jaw(*model_, states_[1])->incisor_distance;
-  const double open = measure_jaw(*model_, states_[2])->incisor_distance;
-  EXPECT_GT(open, rest + 20.0);
-  EXPECT_LT(open, 55.0) << "the face holds back: alone the jaw opens to 55 mm";
-}
-
-}  // namespace
 }  // namespace facies::scenario
