@@ -108,6 +108,36 @@ TEST_F(NodeAboveAFloor, GoesWhereNothingIsInTheWay) {
   EXPECT_EQ(bent({0, 0, -1.2}), Vec3(0, 0, -1.2));
 }
 
+TEST(BentStep, GetsANodeDeeperIntoTheLayerByDegrees) {
+  Model model(1);
+  ContactSurface floor{"floor", {}, {{{0, 1, 2}}}};
+  for (const Vec3& X : {Vec3(-90, -90, 0), Vec3(90, -90, 0), Vec3(0, 200, 0)})
+    floor.vertices.push_back(Anchor::in_space(X));
+  model.add(std::make_unique<Contact>(
+      model, std::vector<ContactPoint>{{Anchor::on_node(0, {0, 0, 0.4}), 1.0}}, floor,
+      ContactSettings{.d_hat = 0.5}));
+  const std::vector<double> down = {0.0, 0.0, -0.35};  // passes nothing, but ends too near
+  EXPECT_NEAR(0.4 + model.bent(model.initial_state(), down, 1.0)[2], 0.3, 1e-12)
+      << "0.1 mm deep before, 0.2 after";
+}
+
+TEST(BentStep, TakesANodeHalfwayToTissueThatComesTowardsIt) {
+  Model model(4);
+  ContactSurface sheet{"sheet", {}, {{{0, 1, 2}}}};
+  const std::array<Vec3, 3> corners = {Vec3(-90, -90, 0), Vec3(90, -90, 0), Vec3(0, 200, 0)};
+  for (std::size_t k = 0; k < 3; ++k)
+    sheet.vertices.push_back(Anchor::on_node(to_index(k), corners[k]));
+  model.add(std::make_unique<Contact>(
+      model, std::vector<ContactPoint>{{Anchor::on_node(3, {0, 0, 2}), 1.0}}, std::move(sheet),
+      ContactSettings{.d_hat = 0.5}));
+  std::vector<double> step(model.n_dofs());
+  for (Index node = 0; node < 3; ++node)
+    step[at(dof(node, 2))] = 3.0;
+  step[at(dof(3, 2))] = -3.0;
+  const std::vector<double> bent = model.bent(model.initial_state(), step, 1.0);
+  EXPECT_NEAR(bent[at(dof(3, 2))], -0.5 * (2.0 - 0.45), 1e-12) << "0.45 mm are kept";
+}
+
 TEST_F(NodeAboveAFloor, PassesNothingHoweverFarItWants) {
   const std::vector<double> down = {0.0, 0.0, -5000.0};
   const State from = model_.initial_state();

@@ -113,7 +113,7 @@ using Step = std::variant<TensionStep, ReleaseStep, ExpressStep, OpenJawStep, Mo
 
 struct SolverChoice {
   double relative_tolerance = 1e-6;        ///< |r| over the free unknowns, relative to the load
-  int max_iterations = 80;                 ///< Newton iterations of one increment
+  int max_iterations = 200;                ///< Newton iterations of one increment
   int max_increments = 400;                ///< increments of one step, failed ones counted
   double first_increment = 1.0;            ///< part of a step that is tried first
   double smallest_increment = 1.0 / 32.0;  ///< part of a step below which it is given up
