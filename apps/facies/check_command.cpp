@@ -28,13 +28,15 @@ std::vector<Problem> check_face(const scenario::Scenario& scenario, int& status,
                                 std::string& about) {
   try {
     const anatomy::FaceAnatomy face = anatomy::load_face(scenario.face, scenario::data_folder());
-    const auto muscles = anatomy::select_muscles(face, scenario.muscle.radius,
-                                                 scenario::tension_scaling_factor(scenario));
+    const auto muscles = scenario::choose_muscles(face, scenario);
     about = fmt::format("{}: {} nodes, {} elements, {} muscles", face.source, face.mesh.n_nodes(),
                         face.mesh.n_elements(), muscles.size());
     auto problems = scenario::check_against_face(scenario, scenario::names_on_face(face, muscles));
     if (status == exit_status::done && !problems.empty()) status = exit_status::scenario;
     return problems;
+  } catch (const ScenarioError& error) {
+    if (status == exit_status::done) status = exit_status::scenario;
+    return error.problems();
   } catch (const UsageError& error) {
     if (status == exit_status::done) status = exit_status::usage;
     return error.problems();

@@ -12,6 +12,7 @@
 #include "facies/material/catalog.hpp"
 #include "facies/scenario/folders.hpp"
 #include "facies/scenario/read_scenario.hpp"
+#include "facies/scenario/study.hpp"
 
 namespace facies::cli {
 
@@ -21,6 +22,14 @@ void list_scenarios() {
   for (const auto& file : scenario::shipped_scenarios(scenario::home_folder())) {
     const scenario::Reading reading = scenario::read_file_reporting(file);
     std::cout << fmt::format("{:<16} {}\n", file.stem().string(), reading.scenario.title);
+  }
+}
+
+void list_studies() {
+  const std::filesystem::path home = scenario::home_folder();
+  for (const auto& file : scenario::shipped_studies(home)) {
+    const scenario::StudyReading reading = scenario::read_study_reporting(file, home);
+    std::cout << fmt::format("{:<16} {}\n", file.stem().string(), reading.study.title);
   }
 }
 
@@ -63,19 +72,21 @@ void list_faces() {
 }  // namespace
 
 void add_list(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("list",
-                                     "List scenarios that ship, laws, presets or faces.\n\n"
-                                     "Examples:\n"
-                                     "  facies list scenarios\n"
-                                     "  facies list presets\n");
+  CLI::App* sub =
+      app.add_subcommand("list",
+                         "List scenarios and studies that ship, laws, presets or faces.\n\n"
+                         "Examples:\n"
+                         "  facies list scenarios\n"
+                         "  facies list presets\n");
   auto what = std::make_shared<std::string>();
-  sub->add_option("what", *what, "scenarios, laws, presets or faces")
+  sub->add_option("what", *what, "scenarios, studies, laws, presets or faces")
       ->required()
       ->type_name("WHAT")
-      ->check(CLI::IsMember({"scenarios", "laws", "presets", "faces"}));
+      ->check(CLI::IsMember({"scenarios", "studies", "laws", "presets", "faces"}));
   sub->callback([what, &action] {
     action = [what] {
       if (*what == "scenarios") list_scenarios();
+      if (*what == "studies") list_studies();
       if (*what == "laws") list_laws();
       if (*what == "presets") list_presets();
       if (*what == "faces") list_faces();

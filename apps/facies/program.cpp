@@ -21,6 +21,7 @@ const char* const description =
     "  facies run smile-open --face artisynth:DIR       the paper's open-mouth smile\n"
     "  facies run smile-open --face artisynth:DIR --set skin.preset=flynn2015_stiff --set "
     "tension.tsf=1.05\n"
+    "  facies study open-choices --face artisynth:DIR --out DIR    variants beside each other\n"
     "  facies check my-smile.yaml                       everything that is wrong with it, at once\n"
     "  facies info --face artisynth:DIR                 what is in a face\n";
 
@@ -47,7 +48,7 @@ int run_program(int argc, const char* const* argv) {
     app.set_version_flag("--version", "facies " + version());
     app.require_subcommand(1);
     Action action;
-    for (auto* add : {add_run, add_check, add_info, add_list, add_schema, add_doctor})
+    for (auto* add : {add_run, add_study, add_check, add_info, add_list, add_schema, add_doctor})
       add(app, action);
     if (argc > 1) refuse_unknown_command(app, argv[1]);
     try {

@@ -21,7 +21,7 @@ TEST_F(Program, TellsItsVersion) {
 }
 
 TEST_F(Program, HelpsWithExamplesFirst) {
-  for (const char* command : {"", "run ", "check ", "info ", "list ", "schema "}) {
+  for (const char* command : {"", "run ", "study ", "check ", "info ", "list ", "schema "}) {
     const Outcome outcome = facies(std::string(command) + "--help");
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_THAT(outcome.err, IsEmpty());
@@ -44,7 +44,7 @@ TEST_F(Program, EndsWithStatus2ForACommandLineThatMakesNoSense) {
   }
   EXPECT_THAT(facies("rnu").err, HasSubstr("facies rnu: no such command\n    did you mean 'run'?"));
   EXPECT_THAT(facies("smile").err,
-              HasSubstr("facies smile: no such command\n    known: run, check"));
+              HasSubstr("facies smile: no such command\n    known: run, study, check"));
 }
 
 TEST_F(Program, NamesEveryProblemOfAScenarioAtOnce) {
@@ -121,6 +121,7 @@ TEST_F(Program, TellsWhatIsInAFace) {
 
 TEST_F(Program, ListsWhatCanBeNamed) {
   EXPECT_THAT(facies("list scenarios").out, HasSubstr("smile-open"));
+  EXPECT_THAT(facies("list studies").out, HasSubstr("open-choices"));
   EXPECT_THAT(facies("list laws").out, HasSubstr("fung_orthotropic"));
   EXPECT_THAT(facies("list presets").out, HasSubstr("flynn2015_stiff"));
   EXPECT_THAT(facies("list faces").out, HasSubstr("artisynth:DIR"));

@@ -80,6 +80,11 @@ struct FaceAnatomy {
       false;  ///< the paper's own face: its numbers may be compared with the paper's
 };
 
+/// Takes fibres out of the face's muscles: "LAO.1" is the first path of LAO on each side (or in the middle). Answers the
+/// names of all fibres that the face has, before anything is taken out; names that are not among them change nothing.
+std::vector<std::string> leave_out_fibres(FaceAnatomy& face,
+                                          const std::vector<std::string>& fibres);
+
 /// Muscles as elements: an element belongs to a muscle if its centroid lies closer than `radius` [mm] to one of its
 /// paths, both measured in the reference configuration divided by `scale` (paper's TSF: the stress-free size).
 /// Its side is that of the nearest path. Order: that of muscle_paths, left before right. Throws DataError for a muscle

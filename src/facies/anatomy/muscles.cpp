@@ -2,6 +2,7 @@
 // Which elements belong to a muscle, and which way its fibres run there (docs/theory/anatomy.md).
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
@@ -97,6 +98,20 @@ std::vector<Muscle> select(const mesh::Mesh& mesh, const MusclePaths& paths, dou
 }
 
 }  // namespace
+
+std::vector<std::string> leave_out_fibres(FaceAnatomy& face,
+                                          const std::vector<std::string>& fibres) {
+  std::vector<std::string> known;
+  for (MusclePaths& muscle : face.muscle_paths) {
+    std::map<Side, int> count;
+    std::erase_if(muscle.paths, [&](const FibrePath& path) {
+      const std::string name = fmt::format("{}.{}", muscle.name, ++count[path.side]);
+      if (std::ranges::find(known, name) == known.end()) known.push_back(name);
+      return std::ranges::find(fibres, name) != fibres.end();
+    });
+  }
+  return known;
+}
 
 std::vector<Muscle> select_muscles(const FaceAnatomy& face, double radius, double scale) {
   require(radius > 0.0 && scale > 0.0, "muscles are selected by a positive radius and scale");

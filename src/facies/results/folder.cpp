@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <regex>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
@@ -88,7 +89,7 @@ void make_folder(const fs::path& folder) {
   if (error) cannot(folder, "make the folder", error);
 }
 
-void make_new(const fs::path& folder) {
+void make_new(const fs::path& folder, std::span<const char* const> parts) {
   const fs::path parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
   std::error_code ignored;
   if (!fs::is_directory(parent, ignored)) {
@@ -98,11 +99,39 @@ void make_new(const fs::path& folder) {
   make_folder(folder);
   try {
     try_writing(folder);
-    for (const char* name : result_folders)
+    for (const char* name : parts)
       make_folder(folder / name);
   } catch (...) {
     fs::remove_all(folder, ignored);  // it was made a moment ago and holds nothing else
     throw;
+  }
+}
+
+/// "out/" names the same folder as "out", but has an empty last part.
+fs::path without_slash(const fs::path& folder) {
+  return folder.has_filename() ? folder : folder.parent_path();
+}
+
+/// Whether there is such a folder; refuses what is there and is none.
+bool is_folder(const fs::path& folder) {
+  std::error_code error;
+  const fs::file_status status = fs::status(folder, error);
+  if (status.type() == fs::file_type::not_found) return false;
+  if (error) cannot(folder, "look at the folder", error);
+  if (!fs::is_directory(status))
+    refuse(folder, "is a file", "a folder", "choose another name with --out");
+  return true;
+}
+
+/// Takes out what a run left, as far as that is allowed.
+void empty_folder(const fs::path& folder, bool force) {
+  const Content content = list_content(folder);
+  check_content(folder, content, force);
+  try_writing(folder);
+  std::error_code error;
+  for (const fs::path& file : content.results) {
+    fs::remove(folder / file, error);
+    if (error) cannot(folder / file, "remove the file", error);
   }
 }
 
@@ -119,23 +148,21 @@ bool is_result_file(const std::string& relative) {
 }
 
 void prepare_folder(const fs::path& given, bool force) {
-  // "out/" names the same folder as "out", but has an empty last part.
-  const fs::path folder = given.has_filename() ? given : given.parent_path();
-  std::error_code error;
-  const fs::file_status status = fs::status(folder, error);
-  if (status.type() == fs::file_type::not_found) return make_new(folder);
-  if (error) cannot(folder, "look at the folder", error);
-  if (!fs::is_directory(status))
-    refuse(folder, "is a file", "a folder", "choose another name with --out");
-  const Content content = list_content(folder);
-  check_content(folder, content, force);
-  try_writing(folder);
-  for (const fs::path& file : content.results) {
-    fs::remove(folder / file, error);
-    if (error) cannot(folder / file, "remove the file", error);
-  }
+  const fs::path folder = without_slash(given);
+  if (!is_folder(folder)) return make_new(folder, result_folders);
+  empty_folder(folder, force);
   for (const char* name : result_folders)
     make_folder(folder / name);
+}
+
+void prepare_study_folder(const fs::path& given, bool force) {
+  const fs::path folder = without_slash(given);
+  if (!is_folder(folder)) return make_new(folder, {});
+  std::error_code ignored;
+  if (fs::is_regular_file(folder / study_file, ignored)) return try_writing(folder);
+  empty_folder(folder, force);
+  for (const char* name : result_folders)
+    fs::remove(folder / name, ignored);
 }
 
 }  // namespace facies::results

@@ -17,4 +17,11 @@ namespace facies::results {
 /// does not exist.
 void prepare_folder(const std::filesystem::path& folder, bool force);
 
+/// What a study is called in its folder; where this file is, a study is.
+inline constexpr const char* study_file = "study.yaml";
+
+/// Makes `folder` for the results of a study, or leaves it as it is where it holds one. Anything else is refused or, with
+/// `force`, removed as by prepare_folder. Throws UsageError.
+void prepare_study_folder(const std::filesystem::path& folder, bool force);
+
 }  // namespace facies::results

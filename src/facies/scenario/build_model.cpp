@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "facies/base/text.hpp"
 #include "facies/mechanics/loads.hpp"
 #include "facies/scenario/motion_model.hpp"
 
@@ -135,6 +136,28 @@ double tension_scaling_factor(const Scenario& scenario) {
   return 1.0;
 }
 
+std::vector<anatomy::Muscle> choose_muscles(const anatomy::FaceAnatomy& face,
+                                            const Scenario& scenario) {
+  const double tsf = tension_scaling_factor(scenario);
+  if (scenario.muscle.leave_out.empty())
+    return anatomy::select_muscles(face, scenario.muscle.radius, tsf);
+  std::vector<std::string> fibres;
+  for (const std::string_view name : split_blanks(scenario.muscle.leave_out))
+    fibres.emplace_back(name);
+  anatomy::FaceAnatomy reduced = face;
+  const std::vector<std::string> known = anatomy::leave_out_fibres(reduced, fibres);
+  Problems problems;
+  for (const std::string& fibre : fibres) {
+    if (std::ranges::find(known, fibre) == known.end()) {
+      problems.add({where_of(scenario, "muscle.leave_out"),
+                    fmt::format("this face has no fibre '{}'", fibre), "",
+                    did_you_mean(fibre, known)});
+    }
+  }
+  problems.throw_if_any<ScenarioError>();
+  return anatomy::select_muscles(reduced, scenario.muscle.radius, tsf);
+}
+
 NamesOnFace names_on_face(const anatomy::FaceAnatomy& face,
                           const std::vector<anatomy::Muscle>& muscles) {
   std::set<std::string> names;
@@ -153,7 +176,7 @@ std::unique_ptr<FaceModel> build_model(anatomy::FaceAnatomy face, const Scenario
   if (needs_jaw(face, scenario)) settled = settle_jaw(*face.jaw, scenario.gravity.vector());
   auto built = std::make_unique<FaceModel>(std::move(face), std::move(settled));
   const mesh::Mesh& mesh = built->face.mesh;
-  built->muscles = anatomy::select_muscles(built->face, scenario.muscle.radius, tsf);
+  built->muscles = choose_muscles(built->face, scenario);
   const std::vector<Problem> unknown =
       check_against_face(scenario, names_on_face(built->face, built->muscles));
   if (!unknown.empty()) throw ScenarioError(unknown);

@@ -43,6 +43,11 @@ struct FaceModel {
 [[nodiscard]] std::unique_ptr<FaceModel> build_model(anatomy::FaceAnatomy face,
                                                      const Scenario& scenario, int threads);
 
+/// The muscles of the face as the scenario wants them: fibres left out, elements within its radius. Throws ScenarioError
+/// for fibres that the face does not have, DataError for a muscle without elements.
+[[nodiscard]] std::vector<anatomy::Muscle> choose_muscles(const anatomy::FaceAnatomy& face,
+                                                          const Scenario& scenario);
+
 /// Names that steps may use on this face: of its muscles groups and sides, each once, sorted; of its jaw everything.
 [[nodiscard]] NamesOnFace names_on_face(const anatomy::FaceAnatomy& face,
                                         const std::vector<anatomy::Muscle>& muscles);

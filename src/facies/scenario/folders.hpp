@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where facies keeps its own tables and the scenarios that ship with it.
+// Where facies keeps its own tables and the scenarios and studies that ship with it.
 #pragma once
 
 #include <filesystem>
@@ -24,5 +24,15 @@ namespace facies::scenario {
 /// extension is a name; where both a name and such a file exist the name wins. Throws ScenarioError where there is none.
 [[nodiscard]] std::filesystem::path find_scenario(const std::string& path_or_name,
                                                   const std::filesystem::path& home);
+
+/// Files of the studies that ship with facies, sorted by name.
+[[nodiscard]] std::vector<std::filesystem::path> shipped_studies(const std::filesystem::path& home);
+
+/// The file of a study; as find_scenario.
+[[nodiscard]] std::filesystem::path find_study(const std::string& path_or_name,
+                                               const std::filesystem::path& home);
+
+/// Whether a folder may be called so: 1 to 100 letters, none of them '/', '\\' or unprintable, '.' not the first.
+[[nodiscard]] bool can_name_folder(const std::string& name);
 
 }  // namespace facies::scenario

@@ -25,12 +25,12 @@ bool is_step_of_kind(const YamlNode& step, const std::string& kind) {
 
 /// "tension.tsf" -> "steps.1.tension.tsf", cut at its points. Empty and a problem where that is not possible.
 std::vector<std::string> full_path(const YamlNode& root, const Override& change,
-                                   const std::string& where, Problems& problems) {
+                                   Problems& problems) {
   std::vector<std::string> path;
   for (const std::string_view part : split(change.key, '.'))
     path.emplace_back(part);
   if (path.size() > 8) {
-    problems.add({where, fmt::format("a key of {} parts", path.size()), "at most 8", ""});
+    problems.add({change.where, fmt::format("a key of {} parts", path.size()), "at most 8", ""});
     return {};
   }
   if (!is_step_kind(path.front())) return path;
@@ -40,9 +40,10 @@ std::vector<std::string> full_path(const YamlNode& root, const Override& change,
     if (is_step_of_kind(steps->value.items[i], path.front())) found.push_back(i + 1);
   }
   if (found.size() != 1) {
-    problems.add({where, fmt::format("the scenario has {} {} steps", found.size(), path.front()),
+    problems.add({change.where,
+                  fmt::format("the scenario has {} {} steps", found.size(), path.front()),
                   "exactly one for this short form",
-                  fmt::format("write --set steps.N.{}=..., N counted from 1", change.key)});
+                  fmt::format("write steps.N.{}, N counted from 1", change.key)});
     return {};
   }
   path.insert(path.begin(), {"steps", std::to_string(found.front())});
@@ -96,23 +97,25 @@ Override parse_override(const std::string& text) {
     throw UsageError({{"--set " + text, "no key and value", "--set key=value",
                        "such as --set skin.preset=flynn2015_stiff"}});
   }
-  change.value = text.substr(equals + 1);
+  change.where = "--set " + change.key;
+  Problems problems;
+  change.value = parse_yaml(text.substr(equals + 1), {change.where, false}, problems);
+  change.problems = problems.list();
   return change;
 }
 
 void apply_override(YamlNode& root, const Override& change, Problems& problems) {
-  const std::string where = "--set " + change.key;
   Problems wrong;
-  YamlNode value = parse_yaml(change.value, {where, false}, wrong);
-  const std::vector<std::string> path = full_path(root, change, where, wrong);
+  wrong.add(change.problems);
+  const std::vector<std::string> path = full_path(root, change, wrong);
   problems.add(wrong.list());
   if (!wrong.empty()) return;
   YamlNode* place = &root;
   for (const std::string& word : path) {
-    place = descend(*place, word, where, problems);
+    place = descend(*place, word, change.where, problems);
     if (place == nullptr) return;
   }
-  *place = std::move(value);
+  *place = change.value;
 }
 
 }  // namespace facies::scenario

@@ -2,22 +2,19 @@
 #include "facies/scenario/read_scenario.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
-#include <tuple>
 
 #include <fmt/format.h>
 
-#include "facies/base/files.hpp"
 #include "facies/base/text.hpp"
+#include "facies/scenario/document.hpp"
+#include "facies/scenario/folders.hpp"
 #include "facies/scenario/read_parts.hpp"
 #include "facies/scenario/value.hpp"
 
 namespace facies::scenario {
 
 namespace {
-
-constexpr std::size_t max_bytes = 1 << 20;  // scenarios are a page long
 
 const MaterialSection* find_material_section(const std::string& name) {
   for (const MaterialSection& section : material_sections()) {
@@ -80,13 +77,8 @@ void read_section(const YamlNode* node, const std::string& section, Scenario& sc
 
 /// The name makes a folder.
 void check_name(const Scenario& scenario, Problems& problems) {
-  const std::string& name = scenario.name;
-  const bool usable = !name.empty() && name.size() <= 100 && name.front() != '.' &&
-                      std::all_of(name.begin(), name.end(), [](unsigned char letter) {
-                        return letter >= 0x20 && letter != 0x7f && letter != '/' && letter != '\\';
-                      });
-  if (usable) return;
-  problems.add({where_of(scenario, "name"), fmt::format("'{}' cannot name a folder", name),
+  if (can_name_folder(scenario.name)) return;
+  problems.add({where_of(scenario, "name"), fmt::format("'{}' cannot name a folder", scenario.name),
                 "a name of at most 100 letters without '/' and not beginning with '.'", ""});
 }
 
@@ -118,86 +110,34 @@ void read_root(const YamlNode& root, Scenario& scenario, Problems& problems) {
   check_name(scenario, problems);
 }
 
-bool looks_like_text(const std::string& text) {
-  return std::none_of(text.begin(), text.end(), [](unsigned char letter) {
-    return letter < 0x20 && letter != '\n' && letter != '\r' && letter != '\t';
-  });
-}
-
-/// File, line and column of "x.yaml:12:7" or "c.csv:12", after whether there are none: those places come last.
-using Position = std::tuple<bool, std::string_view, long, long>;
-
-Position position_of(const Problem& problem) {
-  std::string_view rest = problem.where;
-  std::array<std::optional<long>, 2> numbers;  // from the end
-  for (std::optional<long>& number : numbers) {
-    const std::size_t colon = rest.rfind(':');
-    if (colon == std::string_view::npos) break;
-    number = parse_integer(rest.substr(colon + 1));
-    if (!number) break;
-    rest = rest.substr(0, colon);
-  }
-  if (!numbers[0]) return {true, {}, 0, 0};
-  if (!numbers[1]) return {false, rest, *numbers[0], 0};
-  return {false, rest, *numbers[1], *numbers[0]};
-}
-
-/// In the order of the file: people mend it from top to bottom.
-std::vector<Problem> in_order(std::vector<Problem> problems) {
-  std::stable_sort(problems.begin(), problems.end(), [](const Problem& a, const Problem& b) {
-    return position_of(a) < position_of(b);
-  });
-  return problems;
-}
-
-Reading refuse(const std::string& where, std::string found, std::string expected,
-               std::string hint = "") {
-  return {{}, {{where, std::move(found), std::move(expected), std::move(hint)}}};
+const DocumentKind& document_kind() {
+  static const DocumentKind scenario{"a scenario", "steps", "see `facies list scenarios`"};
+  return scenario;
 }
 
 }  // namespace
 
 Reading read_text(const std::string& text, const std::string& source, const std::string& name,
                   const std::vector<Override>& changes) {
-  if (!looks_like_text(text)) return refuse(source, "is not a text file", "a scenario in YAML");
   Reading reading;
   reading.scenario.name = name;
   reading.scenario.written_at[""] = source;
   Problems problems;
-  YamlNode root = parse_yaml(text, {source}, problems);
-  if (root.kind == YamlNode::Kind::nothing && problems.empty()) {
-    return refuse(source, "is empty", "a scenario with steps", "see `facies list scenarios`");
+  if (std::optional<YamlNode> root = parse_document(text, source, document_kind(), problems)) {
+    for (const Override& change : changes)
+      apply_override(*root, change, problems);
+    read_root(*root, reading.scenario, problems);
   }
-  // Without a mapping at the top there is nothing to read on.
-  if (root.kind == YamlNode::Kind::nothing ||
-      !expect_mapping(root, "a scenario: a mapping of keys such as 'steps'", problems)) {
-    reading.problems = problems.list();
-    return reading;
-  }
-  for (const Override& change : changes)
-    apply_override(root, change, problems);
-  read_root(root, reading.scenario, problems);
   reading.problems = in_order(problems.list());
   return reading;
 }
 
 Reading read_file_reporting(const std::filesystem::path& path,
                             const std::vector<Override>& changes) {
-  std::error_code failure;
-  const auto status = std::filesystem::status(path, failure);
-  if (std::filesystem::is_other(status)) {  // a device or pipe may never end
-    return refuse(path.string(), "is neither a file nor a folder", "a scenario file");
-  }
-  const auto size = std::filesystem::file_size(path, failure);
-  if (!failure && size > max_bytes) {
-    return refuse(path.string(), fmt::format("has {} bytes", size), "a scenario of at most 1 MB");
-  }
-  try {
-    return read_text(read_file(path), path.string(), path.stem().string(), changes);
-  } catch (
-      const DataError& error) {  // a scenario that cannot be opened is a bad scenario, not bad data
-    return {{}, error.problems()};
-  }
+  Problems problems;
+  const std::optional<std::string> text = read_document(path, document_kind(), problems);
+  if (!text) return {{}, problems.list()};
+  return read_text(*text, path.string(), path.stem().string(), changes);
 }
 
 Scenario read_scenario(const std::filesystem::path& path, const std::vector<Override>& changes) {

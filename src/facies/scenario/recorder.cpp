@@ -273,7 +273,8 @@ std::string Recorder::closing_text() const {
   std::vector<results::PublishedValue> published;
   if (model_.face.is_reference_face) {
     published = results::about_expression(
-        results::read_published(options_.data / "published" / "flynn2015.csv"), scenario_.name);
+        results::read_published(options_.data / "published" / "flynn2015.csv"),
+        expression_of(scenario_));
   }
   results::Headline headline = summary_.headlines.back();
   keep_main_landmarks(model_.face, headline.landmarks);

@@ -34,4 +34,8 @@ struct RunSummary {
 [[nodiscard]] RunSummary run(const Scenario& scenario, const RunOptions& options,
                              solve::Observer& observer);
 
+/// Whether `options.out` holds a run of just this scenario by this version that came to its end, converged or not, from
+/// files that have not changed since: running it again would give the same.
+[[nodiscard]] bool is_finished(const Scenario& scenario, const RunOptions& options);
+
 }  // namespace facies::scenario

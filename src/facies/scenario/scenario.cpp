@@ -21,6 +21,10 @@ double activation_of(const ExpressStep& step, const std::string& muscle, const s
   return of_group == step.activations.end() ? 0.0 : of_group->second;
 }
 
+const std::string& expression_of(const Scenario& scenario) {
+  return scenario.expression.empty() ? scenario.name : scenario.expression;
+}
+
 std::string where_of(const Scenario& scenario, std::string path) {
   while (true) {
     const auto entry = scenario.written_at.find(path);

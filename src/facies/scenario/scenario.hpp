@@ -35,6 +35,7 @@ struct MuscleChoice {
   std::string passive = "kPa";  ///< what the passive stress is measured in: none, kPa or sigma_max
   double radius =
       6.0;  ///< elements whose centroid lies closer to a fibre belong to its muscle [mm]
+  std::string leave_out = {};  ///< fibres that do not count, with blanks between: "LAO.1"
 
   friend bool operator==(const MuscleChoice&, const MuscleChoice&) = default;
 };
@@ -145,6 +146,7 @@ struct OutputChoice {
 struct Scenario {
   std::string name;            ///< names the result folder; the file's name where it does not say
   std::string title;           ///< one line for people
+  std::string expression;      ///< of the publication that it is compared with; empty: `name`
   std::string face = "patch";  ///< what anatomy::load_face understands
   TissueChoice skin = {.law = "fung_orthotropic", .preset = "flynn2015_normal"};
   TissueChoice hypodermis = {.law = "mooney_rivlin", .preset = "flynn2015_hypodermis"};
@@ -163,6 +165,9 @@ struct Scenario {
 
   friend bool operator==(const Scenario&, const Scenario&) = default;
 };
+
+/// The expression of the publication that results are compared with: what the scenario says, else its name.
+[[nodiscard]] const std::string& expression_of(const Scenario& scenario);
 
 /// Where `path` ("steps.3.express.ZYG") or the nearest entry around it was written; empty where nobody knows.
 [[nodiscard]] std::string where_of(const Scenario& scenario, std::string path);

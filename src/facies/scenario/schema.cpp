@@ -64,6 +64,10 @@ std::vector<Field> general_fields() {
        {.doc = "Names the result folder. Without it: the name of the file."},
        [](Scenario& s) { return &s.name; }},
       {"title", {.doc = "One line for people."}, [](Scenario& s) { return &s.title; }},
+      {"expression",
+       {.doc = "The expression of the paper that results are compared with, where the face is the "
+               "paper's. Without it: `name`."},
+       [](Scenario& s) { return &s.expression; }},
       {"face",
        {.doc =
             "Whose face (`facies list faces`); `--face` replaces it. Paths count from the folder "
@@ -153,6 +157,11 @@ std::vector<Field> material_fields() {
         .maximum = 100.0,
         .exclusive_minimum = true},
        [](Scenario& s) { return &s.muscle.radius; }},
+      {"muscle.leave_out",
+       {.doc = "Fibres of the face that do not count, with blanks between: `LAO.1` is the first "
+               "fibre of the levator anguli oris on each side "
+               "(data/reference-face/muscle-fibres.csv)."},
+       [](Scenario& s) { return &s.muscle.leave_out; }},
   };
 }
 
