@@ -55,6 +55,7 @@ scenario::Study read_checked(const StudyCommand& command, std::vector<bool>& is_
   scenario::StudyReading reading =
       scenario::read_study_reporting(scenario::find_study(command.study, home), home, command.face);
   if (!reading.problems.empty()) throw ScenarioError(std::move(reading.problems));
+  is_paper_face.reserve(reading.study.runs.size());
   std::map<std::string, anatomy::FaceAnatomy> faces;
   std::map<std::string, Problem> problems;  // by their texts: variants share scenarios
   for (scenario::StudyRun& run : reading.study.runs) {
@@ -68,6 +69,7 @@ scenario::Study read_checked(const StudyCommand& command, std::vector<bool>& is_
       problems.emplace(to_string(problem), problem);
   }
   std::vector<Problem> all;
+  all.reserve(problems.size());
   for (const auto& [text, problem] : problems)
     all.push_back(problem);
   if (!all.empty()) throw ScenarioError(std::move(all));
