@@ -21,7 +21,7 @@ constexpr double kept_fraction = 0.1;
 /// too much to look at.
 constexpr double longest_way = 6.0;
 
-/// How deep a point may get into the layer d_hat of a bone in one step: this part of it, or twice as deep as it is. It is
+/// How deep a point may get into the layer d_hat of a surface in one step: this part of it, or twice as deep as it is. It is
 /// felt as about four times the force: what Newton's method foresees of a barrier holds no farther.
 constexpr double first_depth = 0.1;
 constexpr double deeper = 2.0;

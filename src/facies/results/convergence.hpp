@@ -17,7 +17,7 @@ struct IterationRecord {
   double residual = 0.0;     ///< |r| over the free unknowns [mN]
   double relative = 0.0;     ///< by the load that it is measured against
   double correction = 0.0;   ///< largest nodal correction that led here [mm]
-  double step_length = 0.0;  ///< part of the Newton step taken, 0..1
+  double step_length = 0.0;  ///< Newton steps gone, 0..16
   double shift = 0.0;        ///< of the tangent's diagonal, relative; 0: none was needed
   int factorisations = 0;
   bool exact =

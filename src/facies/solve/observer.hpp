@@ -16,7 +16,7 @@ struct Iteration {
   double residual = 0.0;     ///< |r| over the free unknowns [mN]
   double relative = 0.0;     ///< residual / the load scale it is measured against
   double correction = 0.0;   ///< largest nodal correction of the step that led here [mm]
-  double step_length = 0.0;  ///< part of the Newton step that was taken, 0..1
+  double step_length = 0.0;  ///< how many Newton steps long the step was, 0..16
   double shift = 0.0;        ///< of the diagonal, relative; 0: none was needed
   int factorisations = 0;    ///< matrix factorisations that this iteration needed
   bool exact = true;  ///< the tangent itself was used; else one with smaller negative eigenvalues
