@@ -141,10 +141,29 @@ std::optional<Contact::Geometry> Contact::geometry(const State& state) const {
   return now;
 }
 
-std::vector<Contact::Pair> Contact::pairs(const State& state, double distance) const {
-  const std::optional<Geometry> now = geometry(state);
-  require(now.has_value(), "contact is looked at in states that have an energy");
-  return pairs(*now, distance);
+/// Nothing where a point has gone astray.
+std::shared_ptr<const Contact::Scene> Contact::scene(const State& state) const {
+  const Geometry here = places(state);
+  const std::lock_guard<std::mutex> lock(recent_.mutex);
+  for (std::shared_ptr<const Scene>& recent : recent_.scenes) {
+    if (recent && recent->geometry.points == here.points &&
+        recent->geometry.vertices == here.vertices) {
+      std::swap(recent, recent_.scenes.front());
+      return recent_.scenes.front();
+    }
+  }
+  std::optional<Geometry> now = geometry(state);
+  if (!now) return nullptr;
+  std::vector<Pair> near = pairs(*now, settings_.d_hat);
+  recent_.scenes.back() = std::make_shared<const Scene>(Scene{std::move(*now), std::move(near)});
+  std::swap(recent_.scenes.front(), recent_.scenes.back());
+  return recent_.scenes.front();
+}
+
+std::shared_ptr<const Contact::Scene> Contact::known(const State& state) const {
+  std::shared_ptr<const Scene> now = scene(state);
+  require(now != nullptr, "contact is looked at in states that have an energy");
+  return now;
 }
 
 bool Contact::is_own(std::size_t point, Index part) const {
@@ -195,12 +214,11 @@ std::array<Anchor, 4> Contact::anchors_of(const Pair& pair) const {
 
 double Contact::energy(const State& state, const Controls& /*controls*/) const {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  const std::optional<Geometry> somewhere = geometry(state);
-  if (!somewhere) return infinite;
-  const Geometry& now = *somewhere;
+  const std::shared_ptr<const Scene> now = scene(state);
+  if (!now) return infinite;
   double E = 0.0;
-  for (const Pair& pair : pairs(now, settings_.d_hat)) {
-    const double distance_squared = closest(now, pair.point, pair.part).distance_squared;
+  for (const Pair& pair : now->near) {
+    const double distance_squared = closest(now->geometry, pair.point, pair.part).distance_squared;
     if (distance_squared == 0.0) return infinite;
     E += weight(pair) * barrier(std::sqrt(distance_squared), settings_.d_hat).b;
   }
@@ -221,9 +239,9 @@ std::optional<Contact::Touch> Contact::touch(const State& state, const Pair& pai
 
 bool Contact::add_residual(const State& state, const Controls& /*controls*/, std::span<double> r,
                            Inadmissible* /*why*/) const {
-  const std::optional<Geometry> now = geometry(state);
+  const std::shared_ptr<const Scene> now = scene(state);
   if (!now) return false;
-  for (const Pair& pair : pairs(*now, settings_.d_hat)) {
+  for (const Pair& pair : now->near) {
     const std::optional<Touch> near = touch(state, pair);
     if (!near) return false;
     const double force = weight(pair) * near->barrier.db_dd;
@@ -261,11 +279,11 @@ void Contact::push_groups(std::span<const Pair> pairs, Stencils& stencils) const
 }
 
 void Contact::list_stencils(const State& state, Stencils& stencils) const {
-  push_groups(pairs(state, settings_.d_hat), stencils);
+  push_groups(known(state)->near, stencils);
 }
 
 void Contact::likely_stencils(const State& state, Stencils& stencils) const {
-  push_groups(pairs(state, settings_.reach), stencils);
+  push_groups(pairs(known(state)->geometry, settings_.reach), stencils);
 }
 
 /// Derivatives by the places of the group's anchors, summed over its pairs: the sum is what has a sign, edges take back
@@ -303,8 +321,8 @@ Eigen::MatrixXd Contact::group_tangent(const State& state, const Group& group,
 }
 
 void Contact::add_tangent(const State& state, const Controls& /*controls*/, TangentSink& K) const {
-  const std::vector<Pair> near = pairs(state, settings_.d_hat);
-  std::span<const Pair> left = near;
+  const std::shared_ptr<const Scene> now = known(state);
+  std::span<const Pair> left = now->near;
   for (std::size_t number = 0; !left.empty(); ++number) {
     const Group group = group_of(left);
     const Eigen::MatrixXd block = group_tangent(state, group, left);
@@ -317,7 +335,8 @@ ContactReport Contact::report(const State& state) const {
   ContactReport report;
   report.smallest_distance = std::numeric_limits<double>::infinity();
   std::vector<double> pressure(points_.size(), 0.0);
-  for (const Pair& pair : pairs(state, settings_.d_hat)) {
+  const std::shared_ptr<const Scene> now = known(state);
+  for (const Pair& pair : now->near) {
     const std::optional<Touch> near = touch(state, pair);
     if (!near) continue;
     const double force = weight(pair) * near->barrier.db_dd;

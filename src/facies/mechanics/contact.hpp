@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -105,13 +106,22 @@ class Contact final : public Term {
     Vec3 offset = Vec3::Zero();  // from the surface to the point
   };
   struct Geometry;
+  struct Scene;
   struct Ways;
+  /// The last two scenes that were asked for. Residual, energy and tangent ask for the same one after the other, and a step
+  /// begins where the last one ended.
+  struct Recent {
+    std::mutex mutex;
+    std::array<std::shared_ptr<const Scene>, 2> scenes;
+  };
 
   void list_parts();
   void list_own_parts();
   [[nodiscard]] bool is_rigid() const;
   [[nodiscard]] Geometry places(const State& state) const;
   [[nodiscard]] std::optional<Geometry> geometry(const State& state) const;
+  [[nodiscard]] std::shared_ptr<const Scene> scene(const State& state) const;
+  [[nodiscard]] std::shared_ptr<const Scene> known(const State& state) const;
   [[nodiscard]] static Ways ways(const Geometry& from, const Geometry& to);
   template <class Work>
   void for_each_point(const Work& work) const;
@@ -120,7 +130,6 @@ class Contact final : public Term {
                                           Index part) const;
   [[nodiscard]] std::vector<Index> parts_near(const Geometry& geometry, std::size_t point,
                                               double distance) const;
-  [[nodiscard]] std::vector<Pair> pairs(const State& state, double distance) const;
   [[nodiscard]] std::vector<Pair> pairs(const Geometry& geometry, double distance) const;
   [[nodiscard]] std::array<Anchor, 4> anchors_of(const Pair& pair) const;
   [[nodiscard]] std::optional<Touch> touch(const State& state, const Pair& pair) const;
@@ -129,7 +138,7 @@ class Contact final : public Term {
   void push_groups(std::span<const Pair> pairs, Stencils& stencils) const;
   [[nodiscard]] Eigen::MatrixXd group_tangent(const State& state, const Group& group,
                                               std::span<const Pair> pairs) const;
-  [[nodiscard]] double relative_way(const Ways& ways, std::size_t point) const;
+  [[nodiscard]] static double relative_way(const Ways& ways, std::size_t point);
   [[nodiscard]] double safe_part(const Geometry& from, const Ways& ways, std::size_t point) const;
   [[nodiscard]] std::optional<Nearest> nearest_within(const Geometry& geometry, std::size_t point,
                                                       double reach) const;
@@ -148,6 +157,7 @@ class Contact final : public Term {
   std::vector<std::vector<Index>> own_;  // [n_points] parts that the point does not feel, ascending
   std::shared_ptr<const mesh::NearestTriangles>
       rigid_;  // where the surface is a bone: in the bone's own frame
+  mutable Recent recent_;
 };
 
 }  // namespace facies::mechanics

@@ -17,10 +17,17 @@ struct Contact::Geometry {
   std::shared_ptr<const mesh::NearestTriangles> nearest;  // of the triangles alone
 };
 
+/// A state, and what is near in it.
+struct Contact::Scene {
+  Geometry geometry;
+  std::vector<Pair> near;  // nearer than d_hat
+};
+
 /// From there to another state, in the same frame.
 struct Contact::Ways {
   std::vector<Vec3> points;
   std::vector<Vec3> vertices;
+  Vec3 least, most;  // corners of the box that holds all ways of vertices
 };
 
 /// Calls work(p) for every point, on several threads.

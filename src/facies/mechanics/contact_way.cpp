@@ -32,25 +32,25 @@ constexpr double kept_part = 0.5;
 }  // namespace
 
 Contact::Ways Contact::ways(const Geometry& from, const Geometry& to) {
-  Ways ways{to.points, to.vertices};
+  Ways ways{to.points, to.vertices, {}, {}};
   for (std::size_t p = 0; p < from.points.size(); ++p)
     ways.points[p] -= from.points[p];
   for (std::size_t v = 0; v < from.vertices.size(); ++v)
     ways.vertices[v] -= from.vertices[v];
+  ways.least = ways.most = ways.vertices.front();
+  for (const Vec3& way : ways.vertices) {
+    ways.least = ways.least.cwiseMin(way);
+    ways.most = ways.most.cwiseMax(way);
+    if (!way.allFinite()) return {ways.points, ways.vertices, way, way};
+  }
   return ways;
 }
 
-/// The farthest that a point goes with respect to any vertex of the surface [mm].
-double Contact::relative_way(const Ways& ways, std::size_t p) const {
+/// At least as far as a point goes with respect to any vertex of the surface [mm].
+double Contact::relative_way(const Ways& ways, std::size_t p) {
   const Vec3& way = ways.points[p];
-  if (is_rigid()) return way.norm();
-  double most_squared = 0.0;
-  for (const Vec3& vertex : ways.vertices) {
-    const double squared = (way - vertex).squaredNorm();
-    if (!(squared < farthest * farthest)) return farthest;  // not a number, or as good as none
-    most_squared = std::max(most_squared, squared);
-  }
-  return std::sqrt(most_squared);
+  const double reach = (way - ways.least).cwiseAbs().cwiseMax((ways.most - way).cwiseAbs()).norm();
+  return reach < farthest ? reach : farthest;  // neither where it is not a number
 }
 
 /// How much of its way point `p` can go.
@@ -149,19 +149,20 @@ Vec3 Contact::lift(const Geometry& to, std::size_t p, double gap) const {
 
 void Contact::bend(const State& from, std::span<double> increments) const {
   const State to = model_.moved(from, increments, 1.0);
-  const std::optional<Geometry> before = geometry(from);
+  const std::shared_ptr<const Scene> scene_before = scene(from);
   const std::optional<Geometry> after = geometry(to);
-  if (!before || !after) return;
-  const Ways straight = ways(*before, *after);
+  if (!scene_before || !after) return;
+  const Geometry& before = scene_before->geometry;
+  const Ways straight = ways(before, *after);
   const Anchor& first = surface_.vertices.front();
   const Mat3 R = first.kind == Anchor::Kind::body ? to.bodies[at(first.index)].R : Mat3::Identity();
   std::vector<Vec3> change(points_.size(), Vec3::Zero());
   for_each_point([&](std::size_t p) {
     if (points_[p].anchor.kind != Anchor::Kind::node) return;
-    const double gap = kept_gap(*before, p);
-    const bool is_free = safe_part(*before, straight, p) == 1.0;
+    const double gap = kept_gap(before, p);
+    const bool is_free = safe_part(before, straight, p) == 1.0;
     change[p] = R * (is_free ? lift(*after, p, gap)
-                             : way_around(*before, straight, p, gap) - straight.points[p]);
+                             : way_around(before, straight, p, gap) - straight.points[p]);
   });
   for (std::size_t p = 0; p < points_.size(); ++p) {
     if (points_[p].anchor.kind != Anchor::Kind::node) continue;
@@ -170,11 +171,10 @@ void Contact::bend(const State& from, std::span<double> increments) const {
 }
 
 double Contact::longest_step(const State& from, const State& to) const {
-  const std::optional<Geometry> before = geometry(from);
-  require(before.has_value(), "steps begin at states that have an energy");
-  const Ways straight = ways(*before, places(to));
+  const std::shared_ptr<const Scene> before = known(from);
+  const Ways straight = ways(before->geometry, places(to));
   std::vector<double> safe(points_.size(), 1.0);
-  for_each_point([&](std::size_t p) { safe[p] = safe_part(*before, straight, p); });
+  for_each_point([&](std::size_t p) { safe[p] = safe_part(before->geometry, straight, p); });
   return std::accumulate(safe.begin(), safe.end(), 1.0,
                          [](double a, double b) { return std::min(a, b); });
 }

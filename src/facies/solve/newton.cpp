@@ -28,6 +28,7 @@ constexpr double energy_rounding = 1e-10;  // relative
 constexpr double sufficient = 1e-4;        // part of the expected decrease of energy that is enough
 constexpr double almost_all =
     0.999;  // of a way that was found free, so that rounding does not block it
+constexpr double notably_less = 0.9;      // of a way that was found free and, bent anew, is not
 constexpr double longest_stretch = 16.0;  // times a whole step
 constexpr double still_steep = 0.5;    // part of the starting slope that makes going on worth a try
 constexpr double accepted_work = 0.9;  // part of the starting work that may remain after a step
@@ -230,10 +231,12 @@ double Equilibrium::find_step(Work& work, mechanics::State& state,
     work.increment[at(assembly_.equations().dof_of_equation[k])] = work.step[k];
   Trial trial;
   double step = 1.0;
+  double free_part = almost_all;
   while (step >= smallest_step) {
     const bool admissible = try_step(work, state, controls, step, trial, report);
     if (trial.free_way < 1.0) {
-      step *= std::min(trial.free_way, almost_all);
+      step *= std::min(trial.free_way, free_part);
+      free_part = notably_less;
       continue;
     }
     double shorten = 0.5;
