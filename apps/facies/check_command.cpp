@@ -13,6 +13,7 @@
 #include "facies/scenario/build_model.hpp"
 #include "facies/scenario/folders.hpp"
 #include "facies/scenario/write_scenario.hpp"
+#include "facies/solve/session.hpp"
 
 namespace facies::cli {
 
@@ -23,26 +24,28 @@ struct CheckCommand {
   bool resolved = false;
 };
 
-/// What the face shows to be wrong; `status` becomes that of the first kind of problem, `about` describes the face.
-std::vector<Problem> check_face(const scenario::Scenario& scenario, int& status,
-                                std::string& about) {
+/// Adds what the face shows to be wrong; `status` becomes that of the first kind of problem, `about` describes the face.
+void check_face(const scenario::Scenario& scenario, Problems& problems, int& status,
+                std::string& about) {
+  const auto add = [&](const std::vector<Problem>& found, int kind) {
+    problems.add(found);
+    if (status == exit_status::done && !found.empty()) status = kind;
+  };
   try {
     const anatomy::FaceAnatomy face = anatomy::load_face(scenario.face, scenario::data_folder());
+    const solve::Session session;
+    add(scenario::check_model(face, scenario), exit_status::data);
     const auto muscles = scenario::choose_muscles(face, scenario);
     about = fmt::format("{}: {} nodes, {} elements, {} muscles", face.source, face.mesh.n_nodes(),
                         face.mesh.n_elements(), muscles.size());
-    auto problems = scenario::check_against_face(scenario, scenario::names_on_face(face, muscles));
-    if (status == exit_status::done && !problems.empty()) status = exit_status::scenario;
-    return problems;
+    add(scenario::check_against_face(scenario, scenario::names_on_face(face, muscles)),
+        exit_status::scenario);
   } catch (const ScenarioError& error) {
-    if (status == exit_status::done) status = exit_status::scenario;
-    return error.problems();
+    add(error.problems(), exit_status::scenario);
   } catch (const UsageError& error) {
-    if (status == exit_status::done) status = exit_status::usage;
-    return error.problems();
+    add(error.problems(), exit_status::usage);
   } catch (const DataError& error) {
-    if (status == exit_status::done) status = exit_status::data;
-    return error.problems();
+    add(error.problems(), exit_status::data);
   }
 }
 
@@ -52,7 +55,7 @@ int carry_out(const CheckCommand& command) {
   Problems problems;
   problems.add(reading.problems);
   std::string about;
-  problems.add(check_face(reading.scenario, status, about));
+  check_face(reading.scenario, problems, status, about);
   print_problems(std::cerr, problems.list());
   if (!problems.empty()) {
     std::cerr << fmt::format("{} problem{}\n", problems.size(), problems.size() == 1 ? "" : "s");

@@ -162,9 +162,19 @@ class SyntheticFace {
     write(tables() / "pairs.csv", "a,b,meaning,in_paper,source\nA,B,edge,1,s\n");
   }
 
+  /// A box of bone behind the sheet, 30 mm wide, in metres, its triangles counter-clockwise seen from outside.
+  static std::string bone() {
+    std::string text;
+    for (int corner = 0; corner < 8; ++corner) {
+      text += fmt::format("v {} {} {}\n", (corner & 1) != 0 ? 0.045 : 0.015,
+                          (corner & 2) != 0 ? 0.015 : -0.015, (corner & 4) != 0 ? 0.015 : -0.015);
+    }
+    return text + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+  }
+
   /// A jaw that opens about the y axis, its joint 10 mm behind its centre, and a muscle that closes it.
   void write_jaw() const {
-    write(geometry("jaw.obj"), "v 0 0 0\n");
+    write(geometry("jaw.obj"), bone());
     write(tables() / "jaw-bones.csv",
           "name,meaning,moves,mass_kg,centre_x_mm,centre_y_mm,centre_z_mm,inertia_xx_kg_mm2,"
           "inertia_yy_kg_mm2,inertia_zz_kg_mm2,inertia_xy_kg_mm2,inertia_yz_kg_mm2,"

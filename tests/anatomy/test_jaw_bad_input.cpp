@@ -24,13 +24,21 @@ TEST(BadJaw, IsNotTheOneAsWritten) {
 
 TEST(BadJaw, WithAMuscleOnAnUnknownBoneNamesTheNearest) {
   EXPECT_THAT(told_after("jaw-muscles.csv", "50,jaw,30,10", "50,jow,30,10"),
-              AllOf(HasSubstr("jaw-muscles.csv:3:34: 'jow'"), HasSubstr("did you mean 'jaw'?")));
+              AllOf(HasSubstr("jaw-muscles.csv:3:34: 'jow'; expected a bone of jaw-bones.csv for "
+                              "muscle rm"),
+                    HasSubstr("did you mean 'jaw'?")));
 }
 
 TEST(BadJaw, WithAMuscleWhoseEndsCoincideNamesIt) {
   EXPECT_THAT(
       told_after("jaw-muscles.csv", "jaw,30,10,15", "jaw,30,10,50"),
       AllOf(HasSubstr("jaw-muscles.csv:3:"), HasSubstr("both ends of muscle rm at one place")));
+}
+
+TEST(BadJaw, WithAMuscleWithinOneBoneNamesIt) {
+  EXPECT_THAT(told_after("jaw-muscles.csv", "50,jaw,30,10", "50,skull,30,10"),
+              AllOf(HasSubstr("jaw-muscles.csv:3:34: both ends of muscle rm on skull"),
+                    HasSubstr("expected two different bones")));
 }
 
 TEST(BadJaw, WithImpossibleMusclesNamesEveryNumber) {
@@ -106,6 +114,26 @@ TEST(BadJaw, WithASurfaceThatIsNotThereNamesItsFile) {
               HasSubstr("'liquid'; expected solid, shell or cast"));
   EXPECT_THAT(told_after("jaw-crowns.csv", "jaw,0,0,1,", "jaw,0,0,2,"),
               HasSubstr("a normal of length 2; expected length 1"));
+}
+
+TEST(BadJaw, WithAnOpenSurfaceIsRefusedWhereItsTableSaysClosed) {
+  const SyntheticFace files;
+  SyntheticFace::replace_all(files.geometry("jaw.obj"), "f 1 3 4 2\n", "");
+  EXPECT_THAT(files.message(), AllOf(HasSubstr("jaw.obj: a border of 4 edges"),
+                                     HasSubstr("say 0 under 'closed' in jaw-surfaces.csv")));
+  SyntheticFace::replace_all(files.tables() / "jaw-surfaces.csv", ",1000,1,", ",1000,0,");
+  EXPECT_EQ(files.message(), "");
+  EXPECT_EQ(files.read().jaw->surfaces.at(0).surface.triangles.size(), 10U);
+  EXPECT_THAT(told_after("jaw-surfaces.csv", ",1000,1,", ",1000,yes,"), HasSubstr("'yes'"));
+}
+
+TEST(BadJaw, IsToldOfTogetherWithItsBones) {
+  const SyntheticFace files;
+  SyntheticFace::replace_all(files.geometry("jaw.obj"), "0.0", "0.00");
+  SyntheticFace::replace_all(files.tables() / "jaw-muscles.csv", "jaw,30,10,15", "jaw,30,10,50");
+  EXPECT_THAT(files.message(),
+              AllOf(HasSubstr("both ends of muscle rm at one place"),
+                    HasSubstr("jaw.obj: a bone of 5.196 mm, 0.005196 in the file's unit")));
 }
 
 TEST(BadJaw, WithoutItsTablesNamesAllOfThem) {

@@ -130,5 +130,29 @@ TEST_F(SpoiledReferenceFace, WithTheInnerNodesInPlaceOfTheOuter) {
   EXPECT_THAT(message(), AllOf(HasSubstr("is in 2 of the lists"), HasSubstr("in all")));
 }
 
+TEST_F(SpoiledReferenceFace, WithBonesInMillimetresAndWithAHoleIsToldOfBoth) {
+  spoil("face/geometry/badinjaw.obj", [](const std::string& content) {
+    return content.substr(0, content.rfind("\nf "));  // without the last triangle
+  });
+  spoil("face/geometry/badinmaxilla.obj", [](const std::string& content) {
+    std::string scaled;
+    for (const std::string_view line : split(content, '\n')) {
+      const auto fields = split_blanks(line);
+      if (fields.empty() || fields[0] != "v") {
+        scaled += std::string(line) + "\n";
+        continue;
+      }
+      scaled += "v";
+      for (const std::size_t i : {1U, 2U, 3U})
+        scaled += fmt::format(" {:.9f}", 1000.0 * parse_number(fields[i]).value());
+      scaled += "\n";
+    }
+    return scaled;
+  });
+  EXPECT_THAT(message(), AllOf(HasSubstr("badinjaw.obj: a border of 3 edges"),
+                               HasSubstr("badinmaxilla.obj: a bone of 1.142e+05 mm, 114.2 in the "
+                                         "file's unit")));
+}
+
 }  // namespace
 }  // namespace facies::anatomy

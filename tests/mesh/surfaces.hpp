@@ -51,6 +51,41 @@ inline TriangleSurface sphere(double radius, int cuts) {
   return surface;
 }
 
+/// A square blade in the plane x, y of side 2 `half`, `cells` by `cells`, twisted to z = twist x y: two walls `thickness`
+/// apart that meet in a rim, closed, normals outwards. Their squares are cut along different diagonals, so that the walls
+/// run through each other where the blade is thinner than twist (2 half / cells)^2 / 2, as those of scanned bones do.
+inline TriangleSurface blade(double half, int cells, double twist, double thickness) {
+  TriangleSurface surface;
+  const int n = cells + 1;
+  for (const double side : {0.5, -0.5}) {
+    for (int i = 0; i < n * n; ++i) {
+      const double x = half * (2.0 * (i % n) / cells - 1.0);
+      const double y = half * (2.0 * (i / n) / cells - 1.0);
+      surface.X.emplace_back(x, y, twist * x * y + side * thickness);
+    }
+  }
+  const auto wall = [&](int i, int j, int side) { return Index{side * n * n + j * n + i}; };
+  for (int j = 0; j < cells; ++j) {
+    for (int i = 0; i < cells; ++i) {
+      surface.triangles.push_back({wall(i, j, 0), wall(i + 1, j, 0), wall(i, j + 1, 0)});
+      surface.triangles.push_back({wall(i + 1, j, 0), wall(i + 1, j + 1, 0), wall(i, j + 1, 0)});
+      surface.triangles.push_back({wall(i, j, 1), wall(i + 1, j + 1, 1), wall(i + 1, j, 1)});
+      surface.triangles.push_back({wall(i, j, 1), wall(i, j + 1, 1), wall(i + 1, j + 1, 1)});
+    }
+  }
+  const auto rim = [&](int i, int j, int k, int l) {
+    surface.triangles.push_back({wall(i, j, 0), wall(i, j, 1), wall(k, l, 1)});
+    surface.triangles.push_back({wall(i, j, 0), wall(k, l, 1), wall(k, l, 0)});
+  };
+  for (int i = 0; i < cells; ++i) {
+    rim(i, 0, i + 1, 0);
+    rim(cells, i, cells, i + 1);
+    rim(i + 1, cells, i, cells);
+    rim(0, i + 1, 0, i);
+  }
+  return surface;
+}
+
 /// Both surfaces as one, the second moved by `shift`.
 inline TriangleSurface together(TriangleSurface first, const TriangleSurface& second,
                                 const Vec3& shift) {

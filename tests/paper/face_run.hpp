@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,8 +15,8 @@
 #include "support/session.hpp"
 #include <Eigen/Geometry>
 
+#include "facies/mesh/winding_number.hpp"
 #include "facies/results/summary.hpp"
-#include "facies/scenario/bone_surface.hpp"
 #include "facies/scenario/folders.hpp"
 #include "facies/scenario/mechanism_report.hpp"
 #include "facies/scenario/read_scenario.hpp"
@@ -25,25 +24,6 @@
 #include "facies/scenario/stepper.hpp"
 
 namespace facies::scenario {
-
-/// How often a closed surface goes round a point: the sum of the solid angles of its triangles by 4 pi (Van Oosterom and
-/// Strackee 1983). 1 inside, 0 outside, however small or twisted the triangles nearby.
-inline double winding_number(const std::vector<Vec3>& x,
-                             const std::vector<std::array<Index, 3>>& triangles,
-                             const Vec3& point) {
-  double sum = 0.0;
-  for (const std::array<Index, 3>& triangle : triangles) {
-    const Vec3 a = x[at(triangle[0])] - point;
-    const Vec3 b = x[at(triangle[1])] - point;
-    const Vec3 c = x[at(triangle[2])] - point;
-    const double la = a.norm();
-    const double lb = b.norm();
-    const double lc = c.norm();
-    sum += 2.0 * std::atan2(a.dot(b.cross(c)),
-                            la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-  }
-  return sum / (4.0 * std::numbers::pi);
-}
 
 class FaceRun : public anatomy::ReferenceFaceTest {
  protected:
@@ -101,9 +81,7 @@ class FaceRun : public anatomy::ReferenceFaceTest {
   /// Nodes of the inner surface that lie inside the mandible.
   [[nodiscard]] int n_nodes_in_the_mandible(const mechanics::State& state) const {
     const anatomy::Jaw& jaw = *model_->face.jaw;
-    Problems problems;
-    const mesh::TriangleSurface bone =
-        read_bone_surface(*anatomy::find_named(jaw.surfaces, "jaw"), problems);
+    const mesh::TriangleSurface& bone = anatomy::find_named(jaw.surfaces, "jaw")->surface;
     std::vector<Vec3> x;
     for (const Vec3& X : bone.X) {
       x.push_back(mechanics::place_of(model_->model, state,
@@ -116,7 +94,7 @@ class FaceRun : public anatomy::ReferenceFaceTest {
       const std::vector<Index>& held = model_->held_after_release;
       if (std::ranges::binary_search(held, 3 * point.anchor.index)) continue;
       const Vec3 place = point.anchor.X + state.u[at(point.anchor.index)];
-      if (winding_number(x, bone.triangles, place) > 0.5) ++n_inside;
+      if (mesh::winding_number(x, bone.triangles, place) > 0.5) ++n_inside;
     }
     return n_inside;
   }

@@ -2,7 +2,9 @@
 // Steps that open the jaw, who is excited by them, and a start in which nothing overlaps.
 #include <algorithm>
 #include <gmock/gmock.h>
+#include <utility>
 
+#include "mesh/surfaces.hpp"
 #include <gtest/gtest.h>
 
 #include "facies/anatomy/sources.hpp"
@@ -138,6 +140,99 @@ TEST_F(PatchOnABox, IsRefusedWhereTheBoneIsFarAway) {
   } catch (const DataError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("mm from the tissue nearest to it"));
   }
+}
+
+/// What resolve_overlaps finds wrong with a bone; empty for nothing.
+std::string told_of(const anatomy::FaceAnatomy& face, const BoneObstacle& bone, double distance) {
+  try {
+    (void)resolve_overlaps(face, inner_points(face, {}), {bone}, distance);
+  } catch (const DataError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// The bone of a surface whose z axis looks out of the face, at a place behind the middle of the patch's inner side.
+BoneObstacle behind(const anatomy::FaceAnatomy& face, const mesh::TriangleSurface& surface,
+                    double how_far) {
+  const std::span<const Index> nodes = face.mesh.nodes("inner");
+  Vec3 centre = Vec3::Zero();
+  for (const Index node : nodes)
+    centre += face.mesh.X()[at(node)] / static_cast<double>(nodes.size());
+  BoneObstacle bone;
+  bone.surface.name = "blade";
+  for (const Vec3& x : surface.X) {
+    const Vec3 turned(-x.z(), -x.x(), x.y());
+    bone.surface.vertices.push_back(
+        mechanics::Anchor::in_space(centre + how_far * Vec3::UnitX() + turned));
+  }
+  bone.surface.triangles = surface.triangles;
+  return bone;
+}
+
+double largest(const std::vector<Vec3>& u) {
+  double largest = 0.0;
+  for (const Vec3& move : u)
+    largest = std::max(largest, move.norm());
+  return largest;
+}
+
+// Scanned bones have thin parts whose walls run through each other: the nearest triangle is that of the far wall.
+TEST(ResolveOverlaps, LeavesTissueBesideAThinBladeWhereItIs) {
+  const anatomy::FaceAnatomy face = anatomy::load_face("patch", data_folder());
+  // With another part of the bone beside the patch, in front of it: the blade alone would be behind all tissue.
+  const mesh::TriangleSurface blade = mesh::together(
+      mesh::blade(10.0, 2, 0.01, 0.1), mesh::box(0.1 * Vec3::Ones()), {25.0, 0.0, 4.0});
+  const BoneObstacle bone = behind(face, blade, 2.0);
+  const std::vector<mechanics::ContactPoint> points = inner_points(face, {});
+  std::vector<Vec3> X;
+  for (const mechanics::Anchor& vertex : bone.surface.vertices)
+    X.push_back(vertex.X);
+  const mesh::NearestTriangles nearest(X, blade.triangles);
+  ASSERT_TRUE(std::ranges::any_of(points, [&](const mechanics::ContactPoint& point) {
+    return nearest.nearest(point.anchor.X).is_inside;
+  })) << "the case does not test what it should";
+  EXPECT_EQ(largest(resolve_overlaps(face, points, {bone}, 0.3)), 0.0);
+}
+
+TEST(ResolveOverlaps, RefusesABoneThatElementsWouldBeTurnedInsideOutBy) {
+  const anatomy::FaceAnatomy face = anatomy::load_face("patch:fat=3", data_folder());
+  // Out of the box in front of it a node passes those of the next layers, 1.5 and 3 mm away.
+  const BoneObstacle bone = behind(face, mesh::box({4.9, 4.9, 10.0}), 5.5);
+  EXPECT_THAT(told_of(face, bone, 0.3), testing::HasSubstr("it is inside out once its nodes"));
+}
+
+// A sheet that leans: about half of the patch's inner side is behind its plane, of that a part beside the sheet.
+TEST(ResolveOverlaps, TakesTissueFromBehindAnOpenSheetButNotFromBesideIt) {
+  const anatomy::FaceAnatomy face = anatomy::load_face("patch", data_folder());
+  const double half = 8.3;
+  const double lean = 0.05;
+  mesh::TriangleSurface sheet{{}, {{0, 1, 2}, {0, 2, 3}}};
+  for (const auto& [x, y] : {std::pair(-half, -half), {half, -half}, {half, half}, {-half, half}})
+    sheet.X.emplace_back(x, y, lean * x);
+  BoneObstacle bone = behind(face, sheet, 0.01);
+  bone.closed = false;
+  Vec3 centre = Vec3::Zero();
+  for (const mechanics::Anchor& vertex : bone.surface.vertices)
+    centre += vertex.X / 4.0;
+  const Vec3 normal = Vec3(-1.0, lean, 0.0).normalized();
+  const std::vector<mechanics::ContactPoint> points = inner_points(face, {});
+  const std::vector<Vec3> u = resolve_overlaps(face, points, {bone}, 0.3);
+  int n_behind = 0;
+  int n_beside = 0;
+  for (const mechanics::ContactPoint& point : points) {
+    const Vec3 from = point.anchor.X - centre;
+    const Vec3& move = u[at(point.anchor.index)];
+    if (from.cwiseAbs().tail<2>().maxCoeff() > half + 0.5) {
+      EXPECT_EQ(move, Vec3::Zero());
+      if (normal.dot(from) < 0.0) ++n_beside;
+    } else {
+      EXPECT_GE(normal.dot(from + move), 0.3);
+      if (normal.dot(from) < 0.0) ++n_behind;
+    }
+  }
+  EXPECT_GT(n_behind, 2);
+  EXPECT_GT(n_beside, 2);
 }
 
 }  // namespace

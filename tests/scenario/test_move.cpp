@@ -106,7 +106,8 @@ TEST_F(MoveByTable, TellsEverythingThatIsWrongWithIt) {
       "c.csv:5:5: 1.5 is out of range; expected at least 0 and at most 1\n"
       "c.csv:6:1: the time 0.7 s lies outside the step; expected 0 s to 0.5 s\n"
       "c.csv:7:1: the time -1 s lies outside the step; expected 0 s to 0.5 s\n"
-      "c.csv:7:1: the time -1 s is earlier than the one before it; expected times that grow\n");
+      "c.csv:7:1: the time -1 s is earlier than the one before it; expected times that grow\n"
+      "    sort the points by their times\n");
 }
 
 TEST_F(MoveByTable, NeedsTitlesRowsAndAFile) {
@@ -144,6 +145,7 @@ TEST(Move, TellsEverythingThatIsWrongWithItsCurves) {
       "x.yaml:6:38: 0.2 has no unit; expected a time such as 0.2 s\n"
       "x.yaml:6:49: the value '5'; expected a point such as [0.2 s, 0.5]\n"
       "x.yaml:7:26: the time 0.1 s is earlier than the one before it; expected times that grow\n"
+      "    sort the points by their times\n"
       "x.yaml:7:40: the time 0.1 s is the same as the one before it; expected times that grow\n"
       "    a jump needs two different times, however near each other\n"
       "x.yaml:7:54: the time 2 s lies outside the step; expected 0 s to 0.5 s\n"

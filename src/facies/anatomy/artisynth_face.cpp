@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "facies/anatomy/bone_surface.hpp"
 #include "facies/anatomy/contact_regions.hpp"
 #include "facies/anatomy/face_tables.hpp"
 #include "facies/anatomy/jaw_tables.hpp"
@@ -80,20 +81,23 @@ Files read_files(const fs::path& folder, const FaceTables& tables, Problems& pro
   return files;
 }
 
-/// The jaw of the tables with the files of its surfaces, which must be there, below `folder`.
+/// The jaw of the tables with its surfaces, whose files must be there, below `folder`. Casts are not read.
 Jaw read_jaw(const fs::path& folder, const fs::path& tables_folder, Problems& problems) {
   Jaw jaw = read_jaw_tables(tables_folder, problems);
   for (BoneSurface& surface : jaw.surfaces) {
     surface.file = folder / surface.file;
     std::error_code ignored;
-    if (fs::is_regular_file(surface.file, ignored)) continue;
-    problems.add({surface.file.string(), "no such file",
-                  fmt::format("the surface '{}' of jaw-surfaces.csv", surface.name), ""});
+    if (!fs::is_regular_file(surface.file, ignored)) {
+      problems.add({surface.file.string(), "no such file",
+                    fmt::format("the surface '{}' of jaw-surfaces.csv", surface.name), ""});
+    } else if (surface.kind != SurfaceKind::cast && surface.scale > 0.0) {
+      surface.surface = read_bone_surface(surface, problems);
+    }
   }
   return jaw;
 }
 
-/// Everything that the face comes from: what read_artisynth_face reads, and the surfaces of its bones.
+/// Everything that the face comes from: what read_artisynth_face reads, and the casts of its teeth.
 std::vector<fs::path> files_of(const fs::path& folder, const fs::path& tables_folder,
                                const FaceTables& tables, const Jaw& jaw) {
   std::vector<fs::path> files = tables.files;

@@ -10,6 +10,7 @@
 #include "facies/anatomy/side.hpp"
 #include "facies/base/index.hpp"
 #include "facies/math/swept_curve.hpp"
+#include "facies/mesh/triangle_surface.hpp"
 
 namespace facies::anatomy {
 
@@ -49,6 +50,7 @@ struct JawGuide {
   std::string name;  ///< "TMJ_left"
   Index point = -1;  ///< of Jaw::points
   SweptCurve curve;
+  std::string where;  ///< of its entry in a file, for messages
 };
 
 /// A point of the jaw that does not pass a plane.
@@ -59,6 +61,7 @@ struct JawStop {
   bool enabled = true;          ///< false: known, but not to be used
   Vec3 plane = Vec3::Zero();    ///< a point of the plane [mm]
   Vec3 normal = Vec3::UnitZ();  ///< unit, towards the side where the point may be
+  std::string where;            ///< of its entry in a file, for messages
 };
 
 /// A muscle between two points. Its law: mechanics::HillParameters.
@@ -85,15 +88,16 @@ struct Exciter {
 /// What a surface is for: the border of a bone, an open sheet of one, or a cast of plaster, which is no part of the body.
 enum class SurfaceKind { solid, shell, cast };
 
-/// The surface of a bone or of a part of it, in a file that is not read here.
+/// The surface of a bone or of a part of it.
 struct BoneSurface {
   std::string name;  ///< "lower_teeth"
   std::string meaning;
   Index bone = -1;
   SurfaceKind kind = SurfaceKind::solid;
   std::filesystem::path file;
-  double scale = 1.0;   ///< from the file's unit to mm
-  bool closed = false;  ///< it encloses the bone, without a border
+  double scale = 1.0;             ///< from the file's unit to mm
+  bool closed = false;            ///< it encloses the bone, without a border
+  mesh::TriangleSurface surface;  ///< as read (read_bone_surface); empty for a cast
 };
 
 /// The crowns of teeth, where they are part of the surface of a bone.

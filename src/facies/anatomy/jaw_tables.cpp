@@ -22,6 +22,8 @@ constexpr double coincident = 1e-3;   // [mm]
 constexpr double unit_length = 1e-3;  // what a normal's length may differ from 1
 constexpr double newton = 1000.0;     // [mN]
 
+constexpr const char* a_bone = "a bone of jaw-bones.csv";
+
 /// What the rows of all tables share: where numbers are read and names looked up.
 class Row {
  public:
@@ -66,11 +68,11 @@ class Row {
     return {x, y, number(before + "z" + after)};
   }
 
-  /// Place of the name in `column` in a list of named things; -1 and a problem where it is not there. Of an empty list,
-  /// whose table has problems of its own, nothing is said.
+  /// Place of the name in `column` in a list of named things; -1 and a problem where it is not there, `expected` in
+  /// words. Of an empty list, whose table has problems of its own, nothing is said.
   template <class T>
   [[nodiscard]] Index place(const std::string& column, std::string_view name,
-                            const std::vector<T>& list) const {
+                            const std::vector<T>& list, const std::string& expected) const {
     const auto found = std::ranges::find(list, name, &T::name);
     if (found != list.end()) return to_index(static_cast<std::size_t>(found - list.begin()));
     std::vector<std::string> known;
@@ -78,18 +80,23 @@ class Row {
     for (const T& entry : list)
       known.push_back(entry.name);
     if (!list.empty()) {
-      refuse(column, excerpt(name), "a name of the other table", did_you_mean(name, known));
+      refuse(column, excerpt(name), expected, did_you_mean(name, known));
     }
     return -1;
   }
   template <class T>
-  [[nodiscard]] Index place(const std::string& column, const std::vector<T>& list) const {
-    return place(column, text(column), list);
+  [[nodiscard]] Index place(const std::string& column, const std::vector<T>& list,
+                            const std::string& expected) const {
+    return place(column, text(column), list, expected);
+  }
+
+  [[nodiscard]] std::string where(const std::string& column) const {
+    return table_.where(row_, column);
   }
 
   void refuse(const std::string& column, const std::string& found, const std::string& expected,
               const std::string& hint = "") const {
-    problems_.add({table_.where(row_, column), found, expected, hint});
+    problems_.add({where(column), found, expected, hint});
   }
 
  private:
@@ -195,14 +202,14 @@ void read_points(const fs::path& path, Jaw& jaw, Problems& problems) {
                  JawPoint point;
                  point.name = row.name(names);
                  point.meaning = row.text("meaning");
-                 point.at = {row.place("bone", jaw.bones), row.vector("", "_mm")};
+                 point.at = {row.place("bone", jaw.bones, a_bone), row.vector("", "_mm")};
                  jaw.points.push_back(std::move(point));
                });
 }
 
 /// The point of the jaw that a row leads, -1 and a problem where there is none.
 Index read_led_point(const Row& row, const Jaw& jaw) {
-  const Index point = row.place("point", jaw.points);
+  const Index point = row.place("point", jaw.points, "a point of jaw-points.csv");
   if (point < 0 || jaw.mandible < 0) return -1;
   const Index bone = jaw.points[at(point)].at.bone;
   if (bone == jaw.mandible) return point;
@@ -219,6 +226,7 @@ void read_guides(const fs::path& path, Jaw& jaw, Problems& problems) {
                problems, [&](const Row& row) {
                  JawGuide guide;
                  guide.name = row.name(names);
+                 guide.where = row.where("name");
                  guide.point = read_led_point(row, jaw);
                  const double travel = row.positive("travel_mm");
                  const double descent = row.number("descent_mm");
@@ -249,6 +257,7 @@ void read_stops(const fs::path& path, Jaw& jaw, Problems& problems) {
       problems, [&](const Row& row) {
         JawStop stop;
         stop.name = row.name(names);
+        stop.where = row.where("name");
         stop.meaning = row.text("meaning");
         stop.point = read_led_point(row, jaw);
         stop.enabled = row.flag("enabled");
@@ -275,11 +284,17 @@ JawMuscle read_muscle(const Row& row, const Jaw& jaw, std::vector<std::string>& 
   muscle.name = row.name(names);
   muscle.meaning = row.text("muscle");
   muscle.side = read_side(row);
-  muscle.origin = {row.place("origin_bone", jaw.bones), row.vector("origin_", "_mm")};
-  muscle.insertion = {row.place("insertion_bone", jaw.bones), row.vector("insertion_", "_mm")};
+  const std::string bone = fmt::format("{} for muscle {}", a_bone, muscle.name);
+  muscle.origin = {row.place("origin_bone", jaw.bones, bone), row.vector("origin_", "_mm")};
+  muscle.insertion = {row.place("insertion_bone", jaw.bones, bone),
+                      row.vector("insertion_", "_mm")};
   if ((muscle.origin.X - muscle.insertion.X).norm() < coincident) {
     row.refuse("insertion_x_mm", fmt::format("both ends of muscle {} at one place", muscle.name),
                "two different points");
+  } else if (muscle.origin.bone >= 0 && muscle.origin.bone == muscle.insertion.bone) {
+    row.refuse("insertion_bone",
+               fmt::format("both ends of muscle {} on {}", muscle.name, row.text("origin_bone")),
+               "two different bones", "a muscle within one bone moves nothing");
   }
   muscle.max_force = newton * row.positive("max_force_N");
   muscle.optimal_length = row.positive("opt_length_mm");
@@ -312,7 +327,7 @@ void read_exciters(const fs::path& path, Jaw& jaw, Problems& problems) {
     exciter.meaning = row.text("meaning");
     const std::string listed = row.text("muscles");
     for (const std::string_view name : split_blanks(listed)) {
-      const Index muscle = row.place("muscles", name, jaw.muscles);
+      const Index muscle = row.place("muscles", name, jaw.muscles, "a muscle of jaw-muscles.csv");
       if (std::ranges::find(exciter.muscles, muscle) != exciter.muscles.end() && muscle >= 0) {
         row.refuse("muscles", excerpt(name) + " twice", "each muscle once");
       }
@@ -339,10 +354,11 @@ void read_surfaces(const fs::path& path, Jaw& jaw, Problems& problems) {
                  BoneSurface surface;
                  surface.name = row.name(names);
                  surface.meaning = row.text("meaning");
-                 surface.bone = row.place("bone", jaw.bones);
+                 surface.bone = row.place("bone", jaw.bones, a_bone);
                  surface.kind = read_kind(row);
                  surface.file = row.text("file");
                  surface.scale = row.positive("scale");
+                 surface.closed = row.flag("closed");
                  if (surface.file.empty()) row.refuse("file", "no file", "the file of the surface");
                  jaw.surfaces.push_back(std::move(surface));
                });
@@ -352,7 +368,8 @@ void read_crowns(const fs::path& path, Jaw& jaw, Problems& problems) {
   for_each_row(path, {"surface", "normal_x", "normal_y", "normal_z", "offset_mm", "back_mm"},
                problems, [&](const Row& row) {
                  Crowns crowns;
-                 crowns.surface = row.place("surface", jaw.surfaces);
+                 crowns.surface =
+                     row.place("surface", jaw.surfaces, "a surface of jaw-surfaces.csv");
                  crowns.normal = read_normal(row);
                  crowns.offset = row.number("offset_mm");
                  crowns.back = row.number("back_mm");

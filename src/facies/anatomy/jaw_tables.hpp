@@ -17,8 +17,8 @@ namespace facies::anatomy {
 /// The jaw of the tables in `folder`; files of surfaces as they stand there, relative to the folder of the face. A guide's
 /// curve begins, and a stop's plane lies, where its point is in the intercuspal pose (the plane `offset_mm` behind it).
 /// Adds everything wrong with the tables to `problems`: unreadable files, names that occur twice, rows that name bones,
-/// points or muscles which the other tables do not have, muscles whose ends coincide, numbers that are impossible. The
-/// jaw is then not to be used.
+/// points or muscles which the other tables do not have, muscles whose ends coincide or are on one bone, numbers that are
+/// impossible. The jaw is then not to be used. Surfaces are not read.
 [[nodiscard]] Jaw read_jaw_tables(const std::filesystem::path& folder, Problems& problems);
 
 }  // namespace facies::anatomy

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "facies/anatomy/tissue_surface.hpp"
 
-#include <cmath>
 #include <limits>
-#include <numbers>
 
 #include <Eigen/Geometry>
 
 #include "facies/mesh/surface.hpp"
+#include "facies/mesh/winding_number.hpp"
 
 namespace facies::anatomy {
 namespace {
@@ -16,42 +15,30 @@ namespace {
 /// nodes the diagonals are 0-2, 5-7, 1-4, 1-6, 3-6, 0-7.
 constexpr std::array<std::size_t, 6> hex_diagonal{0, 1, 1, 0, 1, 1};
 
-double solid_angle(const Vec3& p, const std::array<Vec3, 3>& triangle) {
-  const Vec3 a = triangle[0] - p;
-  const Vec3 b = triangle[1] - p;
-  const Vec3 c = triangle[2] - p;
-  const double la = a.norm();
-  const double lb = b.norm();
-  const double lc = c.norm();
-  return 2.0 * std::atan2(a.dot(b.cross(c)),
-                          la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-}
-
 }  // namespace
 
 TissueSurface::TissueSurface(const mesh::Mesh& mesh) {
+  surface_.X.assign(mesh.X().begin(), mesh.X().end());
   for (const mesh::Face& face : mesh::boundary_faces(mesh)) {
     const std::vector<Index> n = mesh.face_nodes(face);
     const bool is_hex = mesh.element(face.element).type == mesh::CellType::hex8;
     const std::size_t first = is_hex ? hex_diagonal[face.local] : 0;
-    const auto corner = [&](std::size_t i) { return mesh.X()[at(n[(first + i) % n.size()])]; };
-    triangles_.push_back({corner(0), corner(1), corner(2)});
-    if (n.size() == 4) triangles_.push_back({corner(0), corner(2), corner(3)});
+    const auto corner = [&](std::size_t i) { return n[(first + i) % n.size()]; };
+    surface_.triangles.push_back({corner(0), corner(1), corner(2)});
+    if (n.size() == 4) surface_.triangles.push_back({corner(0), corner(2), corner(3)});
   }
 }
 
 bool TissueSurface::contains(const Vec3& p) const {
-  double sum = 0.0;
-  for (const std::array<Vec3, 3>& triangle : triangles_)
-    sum += solid_angle(p, triangle);
-  return sum > 2.0 * std::numbers::pi;
+  return mesh::winding_number(surface_.X, surface_.triangles, p) > 0.5;
 }
 
 Vec3 TissueSurface::nearest(const Vec3& p) const {
   double smallest = std::numeric_limits<double>::infinity();
   Vec3 nearest = p;
-  for (const std::array<Vec3, 3>& triangle : triangles_) {
-    const Vec3 candidate = closest_on_triangle(p, triangle);
+  for (const auto& [i, j, k] : surface_.triangles) {
+    const Vec3 candidate =
+        closest_on_triangle(p, {surface_.X[at(i)], surface_.X[at(j)], surface_.X[at(k)]});
     const double distance = (candidate - p).squaredNorm();
     if (distance >= smallest) continue;
     smallest = distance;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "facies/mesh/mesh.hpp"
+#include "facies/mesh/triangle_surface.hpp"
 
 namespace facies::anatomy {
 
@@ -15,9 +16,9 @@ class TissueSurface {
  public:
   explicit TissueSurface(const mesh::Mesh& mesh);
 
-  [[nodiscard]] std::size_t n_triangles() const { return triangles_.size(); }
+  [[nodiscard]] std::size_t n_triangles() const { return surface_.triangles.size(); }
 
-  /// By the winding number, which is 1 inside and 0 outside (van Oosterom and Strackee 1983, solid angle of a triangle).
+  /// By the winding number (mesh::winding_number).
   [[nodiscard]] bool contains(const Vec3& p) const;
 
   /// The nearest point of the surface; of several, the one on the first triangle.
@@ -27,7 +28,7 @@ class TissueSurface {
   [[nodiscard]] Vec3 into_tissue(const Vec3& p) const { return contains(p) ? p : nearest(p); }
 
  private:
-  std::vector<std::array<Vec3, 3>> triangles_;  ///< counter-clockwise seen from outside
+  mesh::TriangleSurface surface_;
 };
 
 /// The point of the triangle nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).

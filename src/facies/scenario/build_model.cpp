@@ -86,17 +86,23 @@ bool needs_jaw(const anatomy::FaceAnatomy& face, const Scenario& scenario) {
   return face.jaw && (scenario.jaw == "free" || scenario.contact.bones);
 }
 
+/// Throws DataError for a face that nothing holds, with its jaw as a body or without.
+void check_supports(const anatomy::FaceAnatomy& face, bool has_body) {
+  const auto holds = [&](const std::string& set) { return !face.mesh.nodes(set).empty(); };
+  if (std::ranges::any_of(supports, holds) || (!has_body && holds(attached_nodes(face)))) return;
+  throw DataError({{face.source, "no node is fixed",
+                    fmt::format("at least one of the node sets {}", fmt::join(supports, ", ")),
+                    "a face that nothing holds has no equilibrium"}});
+}
+
 /// What is held while the tension is put in, and from the release on. A jaw that is no body holds the nodes tied to it.
 void choose_supports(FaceModel& built) {
   const mesh::Mesh& mesh = built.face.mesh;
   std::vector<std::string> held(supports.begin(), supports.end());
   if (!built.jaw) held.push_back(attached_nodes(built.face));
+  check_supports(built.face, built.jaw.has_value());
   built.held_in_tension = unknowns_of(mesh, {"held_in_tension"});
   built.held_after_release = unknowns_of(mesh, held);
-  if (!built.held_after_release.empty()) return;
-  throw DataError({{built.face.source, "no node is fixed",
-                    fmt::format("at least one of the node sets {}", fmt::join(supports, ", ")),
-                    "a face that nothing holds has no equilibrium"}});
 }
 
 /// The jaw with its joint, muscles and ligaments; while the tension is put in, or for good, it is held.
@@ -118,12 +124,14 @@ void add_jaw(FaceModel& built, bool held) {
 }
 
 /// Nodes that take no part in contact with bone: held ones, and those tied to the jaw.
-std::set<Index> nodes_on_bone(const FaceModel& built) {
+std::set<Index> nodes_on_bone(const anatomy::FaceAnatomy& face) {
   std::set<Index> nodes;
-  for (const Index dof : built.held_after_release)
-    nodes.insert(dof / 3);
-  const std::span<const Index> tied = built.face.mesh.nodes(attached_nodes(built.face));
-  nodes.insert(tied.begin(), tied.end());
+  const auto add = [&](const std::string& set) {
+    const std::span<const Index> members = face.mesh.nodes(set);
+    nodes.insert(members.begin(), members.end());
+  };
+  std::ranges::for_each(supports, add);
+  add(attached_nodes(face));
   return nodes;
 }
 
@@ -169,6 +177,24 @@ NamesOnFace names_on_face(const anatomy::FaceAnatomy& face,
           face.jaw ? excitation_names(*face.jaw) : std::vector<std::string>{}};
 }
 
+std::vector<Problem> check_model(const anatomy::FaceAnatomy& face, const Scenario& scenario) {
+  try {
+    const bool has_body = needs_jaw(face, scenario);
+    check_supports(face, has_body);
+    std::optional<SettledJaw> settled;
+    if (has_body) settled = settle_jaw(*face.jaw, scenario.gravity.vector());
+    const std::vector<BoneObstacle> obstacles =
+        bone_obstacles(face, settled ? &*settled : nullptr, scenario.contact);
+    if (!obstacles.empty()) {
+      (void)resolve_overlaps(face, inner_points(face, nodes_on_bone(face)), obstacles,
+                             scenario.contact.distance);
+    }
+  } catch (const DataError& error) {
+    return error.problems();
+  }
+  return {};
+}
+
 std::unique_ptr<FaceModel> build_model(anatomy::FaceAnatomy face, const Scenario& scenario,
                                        int threads) {
   const double tsf = tension_scaling_factor(scenario);
@@ -197,7 +223,7 @@ std::unique_ptr<FaceModel> build_model(anatomy::FaceAnatomy face, const Scenario
   built->initial = built->model.initial_state();
   ContactTerms contact =
       add_contacts(built->model, built->face, built->jaw ? &*built->jaw : nullptr, scenario.contact,
-                   nodes_on_bone(*built), threads);
+                   nodes_on_bone(built->face), threads);
   built->contacts = std::move(contact.contacts);
   if (!contact.start.empty()) built->initial.u = std::move(contact.start);
   if (has_dynamics(scenario)) add_dynamics(*built, scenario.dynamics, std::move(mass));

@@ -43,6 +43,11 @@ struct FaceModel {
 [[nodiscard]] std::unique_ptr<FaceModel> build_model(anatomy::FaceAnatomy face,
                                                      const Scenario& scenario, int threads);
 
+/// Everything that build_model would throw DataError for but what choose_muscles does: a face that nothing holds, a jaw that
+/// cannot stand on its joint, bones that are not where tissue is. Solves for the jaw alone; needs a solve::Session.
+[[nodiscard]] std::vector<Problem> check_model(const anatomy::FaceAnatomy& face,
+                                               const Scenario& scenario);
+
 /// The muscles of the face as the scenario wants them: fibres left out, elements within its radius. Throws ScenarioError
 /// for fibres that the face does not have, DataError for a muscle without elements.
 [[nodiscard]] std::vector<anatomy::Muscle> choose_muscles(const anatomy::FaceAnatomy& face,

@@ -2,6 +2,7 @@
 #include "facies/scenario/contact_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <Eigen/Geometry>
@@ -9,8 +10,9 @@
 
 #include "facies/anatomy/face_anatomy.hpp"
 #include "facies/mesh/nearest.hpp"
+#include "facies/mesh/quality.hpp"
 #include "facies/mesh/surface.hpp"
-#include "facies/scenario/bone_surface.hpp"
+#include "facies/mesh/winding_number.hpp"
 
 namespace facies::scenario {
 
@@ -31,25 +33,15 @@ constexpr double far_from_bone = 50.0;
 using Points = std::vector<mechanics::ContactPoint>;
 
 BoneObstacle bone_of(const anatomy::Jaw& jaw, const SettledJaw& settled,
-                     const anatomy::BoneSurface& bone, Problems& problems) {
-  const mesh::TriangleSurface surface = read_bone_surface(bone, problems);
+                     const anatomy::BoneSurface& bone) {
   BoneObstacle obstacle;
   obstacle.surface.name = bone.name;
-  obstacle.surface.triangles = surface.triangles;
-  for (const Vec3& X : surface.X)
+  obstacle.surface.triangles = bone.surface.triangles;
+  for (const Vec3& X : bone.surface.X)
     obstacle.surface.vertices.push_back(anchor_of(jaw, settled, {bone.bone, X}));
+  obstacle.closed = bone.closed;
+  obstacle.where = bone.file.string();
   return obstacle;
-}
-
-/// Unit direction that leads a point away from the bone that it is near to or in; from a point on it, the normal.
-Vec3 outwards(const mechanics::ContactSurface& surface, const mesh::NearestPoint& near,
-              const Vec3& x) {
-  constexpr double on_it = 1e-9;  // [mm]
-  if (near.distance > on_it)
-    return (near.is_inside ? Vec3(near.point - x) : Vec3(x - near.point)) / near.distance;
-  const std::array<Index, 3>& corners = surface.triangles[at(near.triangle)];
-  const auto corner = [&](std::size_t k) { return surface.vertices[at(corners[k])].X; };
-  return (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
 }
 
 /// The part of the inner surface that lies on bone, moved inwards.
@@ -67,10 +59,16 @@ BoneObstacle stand_in(const mesh::Mesh& mesh, double distance) {
   return obstacle;
 }
 
-/// A bone with a search tree in the place where it begins.
+/// A bone in the place where it begins.
 struct PlacedBone {
-  const mechanics::ContactSurface* surface;
+  const BoneObstacle* obstacle;
+  std::vector<Vec3> X;
+  Eigen::AlignedBox3d box;
   mesh::NearestTriangles nearest;
+
+  [[nodiscard]] const std::vector<std::array<Index, 3>>& triangles() const {
+    return obstacle->surface.triangles;
+  }
 };
 
 std::vector<PlacedBone> place_bones(const std::vector<BoneObstacle>& obstacles) {
@@ -78,11 +76,31 @@ std::vector<PlacedBone> place_bones(const std::vector<BoneObstacle>& obstacles) 
   for (const BoneObstacle& obstacle : obstacles) {
     if (!obstacle.pushes_out) continue;
     std::vector<Vec3> X;
-    for (const mechanics::Anchor& vertex : obstacle.surface.vertices)
+    Eigen::AlignedBox3d box;
+    for (const mechanics::Anchor& vertex : obstacle.surface.vertices) {
       X.push_back(vertex.X);
-    bones.push_back({&obstacle.surface, mesh::NearestTriangles(X, obstacle.surface.triangles)});
+      box.extend(vertex.X);
+    }
+    mesh::NearestTriangles nearest(X, obstacle.surface.triangles);
+    bones.push_back({&obstacle, std::move(X), box, std::move(nearest)});
   }
   return bones;
+}
+
+/// In a closed bone or behind an open one: resolve_overlaps.
+bool is_inside(const PlacedBone& bone, const mesh::NearestPoint& near, const Vec3& x) {
+  const bool may_be = bone.obstacle->closed ? bone.box.contains(x) : near.is_inside;
+  if (!may_be) return false;
+  const double winding = mesh::winding_number(bone.X, bone.triangles(), x);
+  return bone.obstacle->closed ? std::abs(winding) > 0.5 : winding > 0.25;
+}
+
+/// Unit direction that leads a point away from the bone that it is near to or in; from a point on it, the normal.
+Vec3 outwards(const PlacedBone& bone, const mesh::NearestPoint& near, bool inside, const Vec3& x) {
+  constexpr double on_it = 1e-9;  // [mm]
+  if (near.distance > on_it) return (inside ? near.point - x : x - near.point) / near.distance;
+  const auto& [i, j, k] = bone.triangles()[at(near.triangle)];
+  return (bone.X[at(j)] - bone.X[at(i)]).cross(bone.X[at(k)] - bone.X[at(i)]).normalized();
 }
 
 /// A bone is where the face is, and tissue around it on its outer side.
@@ -97,11 +115,14 @@ void check_place(const PlacedBone& bone, const Points& points, Problems& problem
     ++n_around;
     if (near.is_inside) ++n_inside;
   }
-  const std::string where = fmt::format("bone '{}'", bone.surface->name);
+  const std::string& name = bone.obstacle->surface.name;
+  const std::string where =
+      bone.obstacle->where.empty() ? fmt::format("bone '{}'", name) : bone.obstacle->where;
   if (nearest > far_from_bone) {
-    problems.add({where, fmt::format("{:.0f} mm from the tissue nearest to it", nearest),
-                  "a bone of this face",
-                  "look at its unit ('scale' of jaw-surfaces.csv) and axes"});
+    problems.add(
+        {where, fmt::format("{} begins {:.0f} mm from the tissue nearest to it", name, nearest),
+         "a bone of this face",
+         "look at its unit ('scale' of jaw-surfaces.csv), its axes and the poses of the jaw"});
   }
   if (2 * n_inside > n_around) {
     problems.add(
@@ -111,19 +132,40 @@ void check_place(const PlacedBone& bone, const Points& points, Problems& problem
   }
 }
 
-/// Takes a point out of all bones in turn until none is too near; false where that comes to no end.
-bool push_out(const std::vector<PlacedBone>& bones, double distance, Vec3& x) {
+/// Takes a point out of all bones in turn until none is too near. Answers the names of those that still are: none where
+/// it found a place.
+std::vector<std::string> push_out(const std::vector<PlacedBone>& bones, double distance, Vec3& x) {
+  std::vector<std::string> too_near;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    bool is_free = true;
+    too_near.clear();
     for (const PlacedBone& bone : bones) {
       const mesh::NearestPoint near = bone.nearest.nearest(x);
-      if (near.signed_distance() >= distance) continue;
-      x = near.point + margin * distance * outwards(*bone.surface, near, x);
-      is_free = false;
+      const bool inside = is_inside(bone, near, x);
+      if (!inside && near.distance >= distance) continue;
+      x = near.point + margin * distance * outwards(bone, near, inside, x);
+      too_near.push_back(bone.obstacle->surface.name);
     }
-    if (is_free) return true;
+    if (too_near.empty()) break;
   }
-  return false;
+  return too_near;
+}
+
+/// No element may be inside out once its nodes are out of the bones.
+void check_elements(const mesh::Mesh& mesh, const std::vector<Vec3>& u, Problems& problems) {
+  std::vector<Vec3> x(mesh.X().begin(), mesh.X().end());
+  for (std::size_t n = 0; n < x.size(); ++n)
+    x[n] += u[n];
+  ProblemsOfOneKind inverted("bones", "elements turned inside out", 3);
+  for (Index e = 0; e < to_index(mesh.n_elements()); ++e) {
+    const bool moved = std::ranges::any_of(mesh.element(e).connectivity(),
+                                           [&](Index node) { return u[at(node)] != Vec3::Zero(); });
+    if (!moved || mesh::element_quality(mesh, e, x).scaled_jacobian_gauss > 0.0) continue;
+    inverted.add({fmt::format("mesh element {}", e),
+                  "it is inside out once its nodes are out of the bones",
+                  "bones that reach less deep into the tissue",
+                  "look at the bones, the poses of the jaw and its joint"});
+  }
+  inverted.move_to(problems);
 }
 
 /// The surface around the mouth as a contact of the tissue with itself.
@@ -149,14 +191,12 @@ std::unique_ptr<mechanics::Contact> lip_contact(const mechanics::Model& model,
 std::vector<BoneObstacle> bone_obstacles(const anatomy::FaceAnatomy& face,
                                          const SettledJaw* settled, const ContactChoice& choice) {
   std::vector<BoneObstacle> obstacles;
-  Problems problems;
   if (choice.bones && face.jaw && settled != nullptr) {
     for (const char* name : {"jaw", "maxilla"}) {
       const anatomy::BoneSurface* bone = anatomy::find_named(face.jaw->surfaces, name);
-      if (bone != nullptr) obstacles.push_back(bone_of(*face.jaw, *settled, *bone, problems));
+      if (bone != nullptr) obstacles.push_back(bone_of(*face.jaw, *settled, *bone));
     }
   }
-  problems.throw_if_any<DataError>();
   const bool has_stand_in = face.mesh.face_sets().contains("on_bone");
   if (has_stand_in && choice.skull == "inner_surface")
     obstacles.push_back(stand_in(face.mesh, choice.distance));
@@ -188,15 +228,18 @@ std::vector<Vec3> resolve_overlaps(const anatomy::FaceAnatomy& face,
   std::vector<Vec3> u(face.mesh.n_nodes(), Vec3::Zero());
   for (const mechanics::ContactPoint& point : points) {
     Vec3 x = point.anchor.X;
-    if (!push_out(bones, distance, x)) {
+    const std::vector<std::string> too_near = push_out(bones, distance, x);
+    if (!too_near.empty()) {
       caught.add({fmt::format("mesh node {}", point.anchor.index),
-                  fmt::format("no place that is {:g} mm from every bone", distance),
+                  fmt::format("no place {:g} mm away from every bone: it always comes nearer to {}",
+                              distance, fmt::join(too_near, " and ")),
                   "bones with room for tissue between them",
                   "a smaller contact.distance, or mend the bones"});
     }
     if (x != point.anchor.X) u[at(point.anchor.index)] = x - point.anchor.X;
   }
   caught.move_to(problems);
+  if (problems.empty()) check_elements(face.mesh, u, problems);
   problems.throw_if_any<DataError>();
   return u;
 }

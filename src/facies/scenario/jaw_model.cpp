@@ -30,6 +30,58 @@ std::pair<double, double> joint_distances(const JawTerms& terms, const mechanics
   return {off, deepest};
 }
 
+/// A point may be this far off its path or beyond its stop where the jaw is at rest [mm]; with joint_stiffness that
+/// is a force of 1000 N.
+constexpr double most_off_joint = 0.1;
+
+/// What lies between the starting pose and the place of rest may be this much [mm]: more than any play of a joint.
+constexpr double most_settling = 25.0;
+
+/// Guides and stops that are farther from being satisfied than `most` [mm]. `pose` is where the jaw is, in words.
+void check_joint(const anatomy::Jaw& jaw, const JawTerms& terms, const mechanics::State& state,
+                 double most, const std::string& pose, const std::string& hint,
+                 Problems& problems) {
+  const auto add = [&](const std::string& where, Index point, double off, const std::string& from) {
+    if (off <= most) return;
+    problems.add({where,
+                  fmt::format("{} {} is {:.3g} mm {}", pose, jaw.points[at(point)].name, off, from),
+                  fmt::format("at most {:g} mm", most), hint});
+  };
+  for (std::size_t g = 0; g < jaw.guides.size(); ++g) {
+    const anatomy::JawGuide& guide = jaw.guides[g];
+    add(guide.where, guide.point, std::abs(terms.guides->view(state, g).distance),
+        "off the path " + guide.name);
+  }
+  std::size_t k = 0;
+  for (const anatomy::JawStop& stop : jaw.stops) {
+    if (!stop.enabled) continue;
+    add(stop.where, stop.point, -terms.stops->distance(state, k), "beyond the stop " + stop.name);
+    ++k;
+  }
+}
+
+/// The jaw comes to rest near where it began.
+void check_settling(const anatomy::Jaw& jaw, const mechanics::Pose& rest, Problems& problems) {
+  const mechanics::RigidBody body = body_in_file(jaw);
+  double farthest = 0.0;
+  std::string name;
+  for (const anatomy::JawPoint& point : jaw.points) {
+    if (point.at.bone != jaw.mandible) continue;
+    const Vec3 before = anatomy::place_of(jaw, jaw.start, point.at);
+    const double moved = (mechanics::place_of(body, rest, point.at.X) - before).norm();
+    if (moved <= farthest) continue;
+    farthest = moved;
+    name = point.name;
+  }
+  if (farthest <= most_settling) return;
+  problems.add({body.name,
+                fmt::format("it comes to rest with {} {:.3g} mm away from its place in the "
+                            "starting pose",
+                            name, farthest),
+                fmt::format("at most {:g} mm", most_settling),
+                "look at the tables of the joint: do guides and stops lead the points meant?"});
+}
+
 }  // namespace
 
 mechanics::Anchor anchor_of(const anatomy::Jaw& jaw, const SettledJaw& settled,
@@ -77,16 +129,25 @@ SettledJaw settle_jaw(const anatomy::Jaw& jaw, const Vec3& gravity) {
   state.bodies[0] = {jaw.start.u, jaw.start.R};
   SettledJaw settled;
   settled.guide_before = joint_distances(terms, state).first;
+  Problems problems;
+  check_joint(jaw, terms, state, most_settling, "in the starting pose",
+              "look at the units of jaw-poses.csv and jaw-points.csv", problems);
+  problems.throw_if_any<DataError>();
   mechanics::Controls weight;
   weight.body_gravity = gravity;
   const solve::NewtonReport report =
       solve::solve_equilibrium(model, state, weight, {}, {.max_iterations = 500});
+  check_joint(jaw, terms, state, most_off_joint, "the jaw cannot satisfy its joint: at rest",
+              "no pose near the starting pose satisfies all guides and stops: look at their tables",
+              problems);
   if (!report.converged) {
-    throw DataError({{in_file.body.name, "it finds no place of rest on its joint: " + report.reason,
-                      "guides and stops that a pose near the starting pose satisfies",
-                      "look at the joint's tables of this face"}});
+    problems.add({in_file.body.name, "it finds no place of rest on its joint: " + report.reason,
+                  "guides and stops that a pose near the starting pose satisfies",
+                  "look at the joint's tables of this face"});
   }
   const mechanics::Pose& pose = state.bodies[0];
+  check_settling(jaw, pose, problems);
+  problems.throw_if_any<DataError>();
   settled.from_files = pose;
   settled.body = in_file.body;
   settled.body.centre += pose.u;

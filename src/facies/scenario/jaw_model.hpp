@@ -25,7 +25,8 @@ struct SettledJaw {
 };
 
 /// Lets the jaw alone, without any tissue, come to rest from its starting pose. Needs a solve::Session. Throws DataError
-/// where its guides, stops and muscles leave it no place of rest.
+/// where guides, stops and muscles leave it no place of rest, for each guide and stop that it is more than 0.1 mm off there,
+/// and where start and rest are more than 25 mm apart.
 [[nodiscard]] SettledJaw settle_jaw(const anatomy::Jaw& jaw, const Vec3& gravity);
 
 /// A point of a bone in a model whose body 0 is the settled jaw.

@@ -28,7 +28,8 @@ void check_time(double time, const std::string& written, const std::string& wher
                 fmt::format("the time {} {} the one before it", written,
                             equal ? "is the same as" : "is earlier than"),
                 "times that grow",
-                equal ? "a jump needs two different times, however near each other" : ""});
+                equal ? "a jump needs two different times, however near each other"
+                      : "sort the points by their times"});
 }
 
 std::optional<CurvePoint> read_point(const YamlNode& node, Problems& problems) {

@@ -23,27 +23,25 @@ namespace {
 /// Bones and teeth of a face with a jaw, where they are while the jaw has not moved: where it settled, or in its starting
 /// pose in a model that has no use for it (`settled` is null).
 std::vector<results::BoneShape> bone_shapes(const anatomy::Jaw& jaw, const SettledJaw* settled) {
-  Problems problems;
   std::vector<results::BoneShape> bones;
   for (std::size_t s = 0; s < jaw.surfaces.size(); ++s) {
-    const anatomy::BoneSurface& file = jaw.surfaces[s];
-    if (file.kind == anatomy::SurfaceKind::cast) continue;
+    const anatomy::BoneSurface& part = jaw.surfaces[s];
+    if (part.kind == anatomy::SurfaceKind::cast) continue;
     results::BoneShape& bone = bones.emplace_back();
-    bone.name = file.name;
-    bone.is_solid = file.kind == anatomy::SurfaceKind::solid;
-    bone.body = settled != nullptr && file.bone == jaw.mandible ? 0 : -1;
-    bone.surface = mesh::merge_coincident_vertices(mesh::read_obj(file.file, file.scale, problems));
+    bone.name = part.name;
+    bone.is_solid = part.kind == anatomy::SurfaceKind::solid;
+    bone.body = settled != nullptr && part.bone == jaw.mandible ? 0 : -1;
+    bone.surface = part.surface;
     bone.is_tooth.resize(bone.surface.X.size());
     for (std::size_t v = 0; v < bone.surface.X.size(); ++v) {
       Vec3& X = bone.surface.X[v];
       bone.is_tooth[v] = std::ranges::any_of(jaw.crowns, [&](const anatomy::Crowns& crowns) {
         return at(crowns.surface) == s && crowns.holds(X);
       });
-      const anatomy::BonePoint point{file.bone, X};
+      const anatomy::BonePoint point{part.bone, X};
       X = settled != nullptr ? anchor_of(jaw, *settled, point).X : place_of(jaw, jaw.start, point);
     }
   }
-  problems.throw_if_any<DataError>();
   return bones;
 }
 

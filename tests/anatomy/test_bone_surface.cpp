@@ -7,11 +7,12 @@
 
 #include <gtest/gtest.h>
 
-#include "facies/scenario/bone_surface.hpp"
+#include "facies/anatomy/bone_surface.hpp"
 
-namespace facies::scenario {
+namespace facies::anatomy {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using Quad = std::array<int, 4>;
 
@@ -53,7 +54,7 @@ class BoneFile : public ::testing::Test {
     return first.found + " / " + first.hint;
   }
 
-  anatomy::BoneSurface bone_;
+  BoneSurface bone_;
 };
 
 TEST_F(BoneFile, ThatIsClosedIsTaken) {
@@ -92,13 +93,15 @@ TEST_F(BoneFile, WithOneFaceTheWrongWayRoundIsRefused) {
 TEST_F(BoneFile, ThatRunsThroughItselfIsRefused) {
   write(box, "v 5 5 -5\nv 15 10 -5\nv 10 10 5\nf 9 10 11\n");
   bone_.closed = false;
-  EXPECT_THAT(problem(), HasSubstr("run through each other"));
+  EXPECT_THAT(problem(), HasSubstr("1 pair of triangles through each other, counted from 1: "
+                                   "2 and 13 near (0.0, 0.0, 0.0) mm"));
 }
 
 TEST_F(BoneFile, InMetresIsTakenForWhatItIs) {
   write(box);
   bone_.scale = 0.001;
-  EXPECT_THAT(problem(), HasSubstr("a bone of 0.05385 mm / the column 'scale'"));
+  EXPECT_THAT(problem(), AllOf(HasSubstr("a bone of 0.05385 mm, 53.85 in the file's unit"),
+                               HasSubstr("1 for millimetres")));
 }
 
 TEST_F(BoneFile, ThatIsMissingIsNamed) {
@@ -110,4 +113,4 @@ TEST_F(BoneFile, ThatIsMissingIsNamed) {
 }
 
 }  // namespace
-}  // namespace facies::scenario
+}  // namespace facies::anatomy

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a run begins on the reference face: the jaw on its joint, and no tissue in bone. Skipped where it is not at hand.
+#include <algorithm>
+
+#include "anatomy/reference_face.hpp"
+#include "support/session.hpp"
+
+#include "facies/mesh/winding_number.hpp"
+#include "facies/scenario/build_model.hpp"
+
+namespace facies::scenario {
+namespace {
+
+using ReferenceStart = anatomy::ReferenceFaceTest;
+
+const Vec3 gravity(0.0, 0.0, -9800.0);
+
+TEST_F(ReferenceStart, HasNothingWrong) {
+  const Reading reading = read_text("steps:\n  - tension: {tsf: 1.1}\n", "x.yaml", "x", {});
+  EXPECT_TRUE(check_model(face(), reading.scenario).empty());
+}
+
+// The nodes beside the coronoid processes, thin and with walls that run through each other there, begin 3 and 6 mm away
+// from bone, on whose inner side a distance with a sign sees them. The nodes in the bone lie 1.6 mm deep at most.
+TEST_F(ReferenceStart, TakesNodesOutOfTheJawAndLeavesThoseBesideItsThinParts) {
+  const double distance = 1.0;
+  const SettledJaw settled = settle_jaw(*face().jaw, gravity);
+  const std::vector<BoneObstacle> obstacles = bone_obstacles(face(), &settled, {});
+  const std::vector<mechanics::ContactPoint> points = inner_points(face(), {});
+  const std::vector<Vec3> u = resolve_overlaps(face(), points, obstacles, distance);
+  for (const Index beside : {2305, 4993})
+    EXPECT_EQ(u[at(beside)], Vec3::Zero());
+  std::vector<Vec3> x;
+  for (const mechanics::Anchor& vertex : obstacles.front().surface.vertices)
+    x.push_back(vertex.X);
+  for (const mechanics::ContactPoint& point : points) {
+    const Vec3& move = u[at(point.anchor.index)];
+    EXPECT_LE(move.norm(), 3.0);
+    if (move == Vec3::Zero()) continue;
+    EXPECT_NEAR(mesh::winding_number(x, obstacles.front().surface.triangles, point.anchor.X + move),
+                0.0, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace facies::scenario
