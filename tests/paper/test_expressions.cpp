@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The paper's own face through its own protocol, nothing tuned: tension, release and the expressions of Table 3, with contact and a
 // jaw that moves. Numbers are compared with the paper's within 15 % and 4 points; what does not reach them yet
-// (docs/theory/contact.md) is held to its sign.
+// (docs/paper.md) is held to its sign.
 #include "face_run.hpp"
 
 namespace facies::scenario {
