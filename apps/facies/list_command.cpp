@@ -21,7 +21,7 @@ namespace {
 void list_scenarios() {
   for (const auto& file : scenario::shipped_scenarios(scenario::home_folder())) {
     const scenario::Reading reading = scenario::read_file_reporting(file);
-    std::cout << fmt::format("{:<16} {}\n", file.stem().string(), reading.scenario.title);
+    std::cout << fmt::format("{:<20} {}\n", file.stem().string(), reading.scenario.title);
   }
 }
 
@@ -29,7 +29,7 @@ void list_studies() {
   const std::filesystem::path home = scenario::home_folder();
   for (const auto& file : scenario::shipped_studies(home)) {
     const scenario::StudyReading reading = scenario::read_study_reporting(file, home);
-    std::cout << fmt::format("{:<16} {}\n", file.stem().string(), reading.study.title);
+    std::cout << fmt::format("{:<20} {}\n", file.stem().string(), reading.study.title);
   }
 }
 
