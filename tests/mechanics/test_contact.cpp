@@ -28,6 +28,16 @@ enum class Surface { in_space, on_body, on_nodes };
 class PointsOnARoof : public ::testing::TestWithParam<Surface> {
  protected:
   PointsOnARoof() {
+    contact_ = &add_contact(model_);
+    state_ = model_.initial_state();
+    support::Random random(3);
+    for (std::size_t node = n_points; node < state_.u.size(); ++node)
+      state_.u[node] = random.vector(-0.02, 0.02);
+    state_.bodies[0] =
+        moved(state_.bodies[0], random.vector(-0.02, 0.02), random.vector(-0.01, 0.01));
+  }
+
+  [[nodiscard]] const Contact& add_contact(Model& model) const {
     std::vector<ContactPoint> points;
     for (Index node = 0; node < n_points; ++node)
       points.push_back({Anchor::on_node(node, X_[at(node)]), 1.0 + 0.1 * node});
@@ -39,13 +49,7 @@ class PointsOnARoof : public ::testing::TestWithParam<Surface> {
       if (GetParam() == Surface::on_nodes)
         surface.vertices.push_back(Anchor::on_node(n_points + to_index(v), X));
     }
-    contact_ = &model_.add(std::make_unique<Contact>(model_, points, surface, settings));
-    state_ = model_.initial_state();
-    support::Random random(3);
-    for (std::size_t node = n_points; node < state_.u.size(); ++node)
-      state_.u[node] = random.vector(-0.02, 0.02);
-    state_.bodies[0] =
-        moved(state_.bodies[0], random.vector(-0.02, 0.02), random.vector(-0.01, 0.01));
+    return model.add(std::make_unique<Contact>(model, points, surface, settings));
   }
 
   [[nodiscard]] double energy(const State& state) const { return model_.energy(state, {}); }
@@ -54,7 +58,9 @@ class PointsOnARoof : public ::testing::TestWithParam<Surface> {
   // Over a face, over the ridge, over an edge of the border, over a corner, far away.
   std::vector<Vec3> X_ = {
       {2.5, 1.0, 0.4}, {2, 2, 0.35}, {2, -0.1, 0.35}, {-0.1, -0.1, 0.2}, {2, 2, 5}};
-  Model model_{10, {{"bone", {3, 1, -2}, 0.2, Vec3(250, 150, 280).asDiagonal()}}};
+  const std::vector<RigidBody> bone_ = {
+      {"bone", {3, 1, -2}, 0.2, Vec3(250, 150, 280).asDiagonal()}};
+  Model model_{10, bone_};
   const Contact* contact_ = nullptr;
   State state_;
 };
@@ -194,6 +200,32 @@ TEST(Contact, CostsNothingToSlideAlongAPlaneHoweverItIsCut) {
     state.u[0] += Vec3(0.057, 0.031, 0.0);
     EXPECT_NEAR(model.energy(state, {}), before, 1e-12);
     EXPECT_NEAR(support::residual(model, state, {}).head<2>().norm(), 0.0, 1e-12);
+  }
+}
+
+TEST_P(PointsOnARoof, AreFeltTheSameWhateverStatesWereLookedAtBefore) {
+  std::vector<State> states = {state_, state_, state_};
+  states[1].u[1].z() -= 0.05;  // a point alone moves
+  for (std::size_t node = n_points; node < state_.u.size(); ++node)
+    states[2].u[node].z() += 0.05;  // the roof alone, where it can
+  states[2].bodies[0].u.z() += 0.05;
+  for (const std::size_t which : {0U, 1U, 2U, 0U, 2U, 2U, 1U, 0U}) {
+    Model fresh(10, bone_);
+    (void)add_contact(fresh);
+    EXPECT_EQ(energy(states[which]), fresh.energy(states[which], {}));
+    EXPECT_EQ(support::residual(model_, states[which], {}),
+              support::residual(fresh, states[which], {}));
+  }
+}
+
+TEST_P(PointsOnARoof, CannotGoWhereTheRoofHasGoneAstray) {
+  if (GetParam() != Surface::on_nodes) GTEST_SKIP() << "only nodes can";
+  for (const double wild : {1e300, std::numeric_limits<double>::quiet_NaN()}) {
+    for (std::size_t node = n_points; node < state_.u.size(); ++node) {
+      State state = state_;
+      state.u[node].x() = wild;
+      EXPECT_EQ(contact_->longest_step(state_, state), 0.0) << wild << " at " << node;
+    }
   }
 }
 
