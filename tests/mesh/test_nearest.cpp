@@ -10,6 +10,7 @@
 
 #include "facies/base/parallel.hpp"
 #include "facies/math/point_triangle.hpp"
+#include "facies/math/segment_triangle.hpp"
 #include "facies/mesh/nearest.hpp"
 
 namespace facies::mesh {
@@ -44,6 +45,34 @@ TriangleSurface random_soup(std::uint64_t seed) {
     if (i % 20 == 0) soup.triangles.push_back({i, i + 1, i + 2});
   }
   return soup;
+}
+
+TEST(NearestTriangles, TellsWhereASegmentPassesThroughTrianglesAsBruteForceDoes) {
+  const TriangleSurface soup = random_soup(5);
+  const NearestTriangles tree = tree_of(soup);
+  Random random(6);
+  std::size_t total = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 p = Vec3(150.0, -80.0, 90.0) + random.vector(-20.0, 20.0);
+    const Vec3 q = p + random.vector(-40.0, 40.0);
+    std::vector<double> expected;
+    for (const auto& [a, b, c] : soup.triangles) {
+      const auto place =
+          segment_through_triangle(p, q, soup.X[at(a)], soup.X[at(b)], soup.X[at(c)]);
+      if (place) expected.push_back(*place);
+    }
+    std::ranges::sort(expected);
+    EXPECT_EQ(tree.passes(p, q), expected);
+    total += expected.size();
+  }
+  EXPECT_GT(total, 100U) << "the case does not test what it should";
+}
+
+TEST(NearestTriangles, AreEnteredAndLeftByASegmentThroughABox) {
+  const TriangleSurface surface = box({1.0, 2.0, 3.0});
+  EXPECT_THAT(tree_of(surface).passes({-2.0, 0.3, 0.4}, {2.0, 0.3, 0.4}), ElementsAre(0.25, 0.75));
+  EXPECT_THAT(tree_of(surface).passes({-2.0, 0.3, 0.4}, {0.0, 0.3, 0.4}), ElementsAre(0.5));
+  EXPECT_THAT(tree_of(surface).passes({-2.0, 0.3, 0.4}, {-1.5, 0.3, 0.4}), IsEmpty());
 }
 
 TEST(NearestTriangles, FindsAllTrianglesWithinARadiusAsBruteForceDoes) {

@@ -15,6 +15,7 @@
 
 #include "facies/base/error.hpp"
 #include "facies/math/point_triangle.hpp"
+#include "facies/math/segment_triangle.hpp"
 
 namespace facies::mesh {
 namespace {
@@ -221,6 +222,19 @@ void NearestTriangles::within(const Vec3& point, double radius,
   };
   parts_->query(point, too_far, add, &search);
   std::ranges::sort(triangles);
+}
+
+std::vector<double> NearestTriangles::passes(const Vec3& p, const Vec3& q) const {
+  std::vector<Index> candidates;
+  within(0.5 * (p + q), 0.5 * (q - p).norm(), candidates);
+  std::vector<double> found;
+  for (const Index triangle : candidates) {
+    const std::array<Vec3, 3> x = parts_->corners(triangle);
+    if (const auto place = segment_through_triangle(p, q, x[0], x[1], x[2]))
+      found.push_back(*place);
+  }
+  std::ranges::sort(found);
+  return found;
 }
 
 NearestPoint NearestTriangles::nearest(const Vec3& point) const {

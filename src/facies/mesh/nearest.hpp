@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which triangles are near a point, and on which side of a closed surface it lies.
+// Which triangles are near a point, on which side of a closed surface it lies, and where a segment passes through.
 #pragma once
 
 #include <array>
@@ -44,6 +44,10 @@ class NearestTriangles {
   /// The nearest point. The side is that of the angle-weighted pseudonormal of the nearest feature (baerentzen2005).
   /// Throws BugError where there is no triangle or the point is not finite.
   [[nodiscard]] NearestPoint nearest(const Vec3& point) const;
+
+  /// Where the segment from p to q passes through triangles: 0 at p, 1 at q, ascending; the same place several times where
+  /// it goes through a common edge (segment_through_triangle).
+  [[nodiscard]] std::vector<double> passes(const Vec3& p, const Vec3& q) const;
 
  private:
   struct Parts;

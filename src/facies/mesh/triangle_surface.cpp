@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "facies/math/point_triangle.hpp"
+#include "facies/math/segment_triangle.hpp"
 #include "facies/mesh/nearest.hpp"
 
 namespace facies::mesh {
@@ -54,18 +55,8 @@ void check_edges(const TriangleSurface& surface, SurfaceReport& report) {
   }
 }
 
-/// True where the segment from p to q, whose ends lie on either side of the triangle's plane, passes through it.
 bool pierces(const Vec3& p, const Vec3& q, const Corners& x) {
-  const Vec3 normal = (x[1] - x[0]).cross(x[2] - x[0]);
-  const double side_p = normal.dot(p - x[0]);
-  const double side_q = normal.dot(q - x[0]);
-  if (!((side_p > 0.0 && side_q < 0.0) || (side_p < 0.0 && side_q > 0.0))) return false;
-  // On which side of the segment the triangle's edges pass: all on the same where it goes through.
-  std::array<double, 3> turn{};
-  for (std::size_t k = 0; k < 3; ++k)
-    turn[k] = (q - p).dot((x[k] - p).cross(x[(k + 1) % 3] - p));
-  return std::ranges::all_of(turn, [](double t) { return t >= 0.0; }) ||
-         std::ranges::all_of(turn, [](double t) { return t <= 0.0; });
+  return segment_through_triangle(p, q, x[0], x[1], x[2]).has_value();
 }
 
 bool intersect(const Corners& x, const Corners& y) {
