@@ -195,10 +195,38 @@ TEST(ResolveOverlaps, LeavesTissueBesideAThinBladeWhereItIs) {
   EXPECT_EQ(largest(resolve_overlaps(face, points, {bone}, 0.3)), 0.0);
 }
 
+// A plate in the tissue, 2 mm above its inner side: nodes below it are in no bone and near to none.
+TEST(ResolveOverlaps, TakesTissueFromTheFarSideOfAThinPlateWithoutAnElementInsideOut) {
+  const anatomy::FaceAnatomy face = anatomy::load_face("patch:fat=3", data_folder());
+  const double half = 7.3;
+  const double above = 2.0;
+  const BoneObstacle bone = behind(face, mesh::box({half, half, 0.1}), -above);
+  const std::vector<mechanics::ContactPoint> points = inner_points(face, {});
+  const std::vector<Vec3> u = resolve_overlaps(face, points, {bone}, 0.3);
+  Vec3 centre = Vec3::Zero();
+  for (const mechanics::Anchor& vertex : bone.surface.vertices)
+    centre += vertex.X / 8.0;
+  int n_below = 0;
+  for (const mechanics::ContactPoint& point : points) {
+    const Vec3 from = point.anchor.X - centre;
+    const Vec3& move = u[at(point.anchor.index)];
+    if (from.tail<2>().cwiseAbs().maxCoeff() > half) {
+      EXPECT_EQ(move, Vec3::Zero());
+    } else {
+      ++n_below;
+      EXPECT_LE((from + move).x(), -0.4) << "in front of the plate and 0.3 mm away from it";
+      EXPECT_NEAR(move.x(), -(above + 0.4), 0.01);
+    }
+  }
+  EXPECT_GT(n_below, 3);
+  for (const Index node : face.mesh.nodes("outer"))
+    EXPECT_EQ(u[at(node)], Vec3::Zero()) << "the skin's surface stays";
+}
+
 TEST(ResolveOverlaps, RefusesABoneThatElementsWouldBeTurnedInsideOutBy) {
   const anatomy::FaceAnatomy face = anatomy::load_face("patch:fat=3", data_folder());
-  // Out of the box in front of it a node passes those of the next layers, 1.5 and 3 mm away.
-  const BoneObstacle bone = behind(face, mesh::box({4.9, 4.9, 10.0}), 5.5);
+  // The box ends 0.1 mm below the skin's surface; 0.3 mm away from it a node is in front of the skin.
+  const BoneObstacle bone = behind(face, mesh::box({9.9, 9.9, 10.0}), 5.6);
   EXPECT_THAT(told_of(face, bone, 0.3), testing::HasSubstr("it is inside out once its nodes"));
 }
 

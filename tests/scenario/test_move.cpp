@@ -96,18 +96,17 @@ TEST_F(MoveByTable, WhoseColumnTheFaceDoesNotHavePointsToItsTitle) {
 }
 
 TEST_F(MoveByTable, TellsEverythingThatIsWrongWithIt) {
-  EXPECT_EQ(
-      told("time_s,ZYG,RIS\n0,0,0\n0.2,0.5\n0.1,x,\n0.1,1.5,0\n0.7,0,0\n-1,0,0\n"),
-      "c.csv:3: 2 cells; expected 3, one below each title\n"
-      "c.csv:4:5: 'x' is not a number; expected a number without a unit\n"
-      "c.csv:4:7: an empty cell; expected a number without a unit\n"
-      "c.csv:5:1: the time 0.1 s is the same as the one before it; expected times that grow\n"
-      "    a jump needs two different times, however near each other\n"
-      "c.csv:5:5: 1.5 is out of range; expected at least 0 and at most 1\n"
-      "c.csv:6:1: the time 0.7 s lies outside the step; expected 0 s to 0.5 s\n"
-      "c.csv:7:1: the time -1 s lies outside the step; expected 0 s to 0.5 s\n"
-      "c.csv:7:1: the time -1 s is earlier than the one before it; expected times that grow\n"
-      "    sort the points by their times\n");
+  EXPECT_EQ(told("time_s,ZYG,RIS\n0,0,0\n0.2,0.5\n0.1,x,\n0.1,1.5,0\n0.7,0,0\n-1,0,0\n"),
+            "c.csv:3: 2 cells; expected 3, one below each title\n"
+            "c.csv:4:5: 'x' is not a number; expected a number without a unit\n"
+            "c.csv:4:7: an empty cell; expected a number without a unit\n"
+            "c.csv:5:1: the time 0.1 s is the same as the one before it; expected times that grow\n"
+            "    a jump needs two different times, however near each other\n"
+            "c.csv:5:5: 1.5 is out of range; expected at least 0 and at most 1\n"
+            "c.csv:6:1: the time 0.7 s lies outside the step; expected 0 s to 0.5 s\n"
+            "c.csv:7:1: the time -1 s lies outside the step; expected 0 s to 0.5 s\n"
+            "c.csv:7:1: the time -1 s is earlier than the one before it; expected times that grow\n"
+            "    sort the points by their times\n");
 }
 
 TEST_F(MoveByTable, NeedsTitlesRowsAndAFile) {
