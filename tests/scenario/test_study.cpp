@@ -20,6 +20,12 @@ using testing::StartsWith;
 namespace fs = std::filesystem;
 
 class ReadStudy : public testing::Test {
+ public:
+  ReadStudy(const ReadStudy&) = delete;
+  ReadStudy& operator=(const ReadStudy&) = delete;
+  ReadStudy(ReadStudy&&) = delete;
+  ReadStudy& operator=(ReadStudy&&) = delete;
+
  protected:
   ReadStudy()
       : folder_(fs::path(testing::TempDir()) /
