@@ -53,20 +53,26 @@ std::vector<std::string_view> row(const std::string& text, std::string_view name
   return {};
 }
 
-TEST(StudyTable, PutsTheBestVariantFirst) {
+TEST(StudyTable, PutsTheVariantFirstThatMeetsMostAndOfSeveralTheNearest) {
   // Bands: 1.8 mm, 4 points, 2.1 mm.
-  const std::vector<StudyEntry> entries{smiles("far", 15.6, 10.0), purses("far", 3.0, 14.0),
-                                        smiles("near", 12.9, 20.0), purses("near", 16.1, 3.0)};
+  const std::vector<StudyEntry> entries{
+      smiles("far", 15.6, 10.0),    purses("far", 3.0, 14.0),    smiles("two", 12.0, 18.0),
+      purses("two", 3.0, 18.2),     smiles("near", 12.9, 20.0),  purses("near", 16.0, 3.0),
+      smiles("nearer", 12.0, 20.0), purses("nearer", 14.0, 3.0), smiles("half", 12.0, 18.0)};
   const StudyTable table = make_study_table(entries);
-  ASSERT_EQ(table.rows.size(), 2U);
-  EXPECT_EQ(table.rows[0].variant, "near");
-  EXPECT_THAT(table.rows[0].score, Optional(DoubleNear((0.5 + 0.5 + 1.0) / 3, 1e-12)));
-  EXPECT_THAT(table.rows[1].score, Optional(DoubleNear((2.0 + 2.0 + 0.0) / 3, 1e-12)));
+  std::vector<std::string> order;
+  for (const StudyRow& row : table.rows)
+    order.push_back(row.variant);
+  EXPECT_THAT(order, ElementsAre("nearer", "near", "two", "far", "half"));
+  EXPECT_THAT(table.rows[1].score, Optional(DoubleNear((0.5 + 0.5 + 2.0 / 2.1) / 3, 1e-12)));
+  EXPECT_THAT(table.rows[2].score, Optional(DoubleNear((0.0 + 0.0 + 2.0) / 3, 1e-12)));
+  EXPECT_THAT(table.rows[3].score, Optional(DoubleNear((2.0 + 2.0 + 0.0) / 3, 1e-12)));
+  EXPECT_EQ(table.rows[3].n_met, 1);
   const std::string text = study_text(table);
   EXPECT_THAT(row(text, "smile"), ElementsAre("smile", "purse"));
   EXPECT_THAT(row(text, "RMC"), ElementsAre("RMC", "RMC-LMC", "largest"));
   EXPECT_THAT(row(text, "paper"), ElementsAre("paper", "12", "almost", "18", "up", "to", "14"));
-  EXPECT_THAT(row(text, "near"), ElementsAre("near", "12.90", "+20.0", "16.10", "0.67"));
+  EXPECT_THAT(row(text, "near"), ElementsAre("near", "12.90", "+20.0", "16.00", "3/3", "0.65"));
   EXPECT_LT(text.find("paper"), text.find("near"));
   EXPECT_LT(text.find("near"), text.find("far"));
 }
@@ -82,8 +88,8 @@ TEST(StudyTable, PutsVariantsThatFailedLastAndCountsOnlyWhatConverged) {
   EXPECT_EQ(table.rows[0].variant, "other");
   EXPECT_THAT(table.rows[1].score, Optional(0.0));
   const std::string text = study_text(table);
-  EXPECT_THAT(row(text, "lame"), ElementsAre("lame", "12.00", "+18.0", "failed", "0.00"));
-  EXPECT_THAT(row(text, "other"), ElementsAre("other", "15.60", "+10.0", "-", "2.00"));
+  EXPECT_THAT(row(text, "lame"), ElementsAre("lame", "12.00", "+18.0", "failed", "2/2", "0.00"));
+  EXPECT_THAT(row(text, "other"), ElementsAre("other", "15.60", "+10.0", "-", "0/2", "2.00"));
   const std::string page = study_page("Choices", std::vector<StudyVariant>{{"lame", "x"}}, entries);
   EXPECT_THAT(page, HasSubstr("# Choices\n\n| variant | smile<br>RMC [mm] |"));
   EXPECT_THAT(page, HasSubstr("- `lame/purse`: express did not converge\n"));
@@ -94,7 +100,7 @@ TEST(StudyTable, ShowsWhatWasMeasuredWhereNothingIsPublished) {
   StudyEntry entry = smiles("only", 12.5, 20.0);
   entry.published.clear();
   const std::string text = study_text(make_study_table(std::vector{entry}));
-  EXPECT_THAT(row(text, "only"), ElementsAre("only", "12.50", "1.00", "+20.0", "-"));
+  EXPECT_THAT(row(text, "only"), ElementsAre("only", "12.50", "1.00", "+20.0", "-", "-"));
   EXPECT_THAT(text, Not(HasSubstr("paper")));
   EXPECT_THAT(make_study_table({}).rows, IsEmpty());
 }

@@ -87,16 +87,17 @@ void fill(StudyRow& row, const std::vector<StudyColumn>& columns, const StudyEnt
   }
 }
 
-std::optional<double> score_of(const StudyRow& row, const std::vector<StudyColumn>& columns) {
+void compare(StudyRow& row, const std::vector<StudyColumn>& columns) {
   double sum = 0.0;
-  int n = 0;
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (!columns[c].paper || !row.cells[c].value) continue;
-    sum += std::abs(*row.cells[c].value - columns[c].paper->value) / band_of(*columns[c].paper);
-    ++n;
+    const double bands =
+        std::abs(*row.cells[c].value - columns[c].paper->value) / band_of(*columns[c].paper);
+    sum += bands;
+    ++row.n_compared;
+    if (bands <= 1.0) ++row.n_met;
   }
-  if (n == 0) return std::nullopt;
-  return sum / n;
+  if (row.n_compared > 0) row.score = sum / row.n_compared;
 }
 
 std::string subject_of(const StudyColumn& column) {
@@ -110,19 +111,20 @@ std::string cell_text(const StudyCell& cell, const StudyColumn& column) {
                             : fmt::format("{:.2f}", *cell.value);
 }
 
-/// Rows as words: the paper's, where it says anything, then one for each variant; name, cells, score.
+/// Rows as words: the paper's, where it says anything, then one for each variant; name, cells, how many are met, score.
 std::vector<std::vector<std::string>> words_of(const StudyTable& table) {
   std::vector<std::vector<std::string>> rows;
   if (std::ranges::any_of(table.columns, [](const auto& column) { return !!column.paper; })) {
     rows.emplace_back(1, "paper");
     for (const StudyColumn& column : table.columns)
       rows[0].push_back(column.paper ? column.paper->text() : "-");
-    rows[0].emplace_back("");
+    rows[0].insert(rows[0].end(), {"", ""});
   }
   for (const StudyRow& row : table.rows) {
     std::vector<std::string>& words = rows.emplace_back(1, row.variant);
     for (std::size_t c = 0; c < row.cells.size(); ++c)
       words.push_back(cell_text(row.cells[c], table.columns[c]));
+    words.push_back(row.score ? fmt::format("{}/{}", row.n_met, row.n_compared) : "-");
     words.push_back(row.score ? fmt::format("{:.2f}", *row.score) : "-");
   }
   return rows;
@@ -147,15 +149,17 @@ std::string expressions_line(const std::vector<StudyColumn>& columns,
   return line + '\n';
 }
 
+constexpr const char* met_title = "met";
 constexpr const char* score_title = "score";
 
 constexpr const char* how_to_read =
-    "Displacements and distances are measured from the tensioned rest. The score is the mean of "
-    "|difference from the\n"
-    "paper| / band over the columns that a variant has, the band being 15 % of a length and 4 "
-    "percentage points of a\n"
-    "change: below 1 is within it on average. Variants with a run that failed stand last; that run "
-    "does not count.\n";
+    "Displacements and distances are measured from the tensioned rest. A number is met that is at "
+    "most a band from the\n"
+    "paper's: 15 % of a length, 4 percentage points of a change. The score is the mean of "
+    "|difference| / band. Variants\n"
+    "that meet most stand first, then those that are compared with fewer numbers than others, last "
+    "those with a run that\n"
+    "failed; that run does not count.\n";
 
 std::string markdown_table(const StudyTable& table) {
   std::string text = "| variant |";
@@ -164,7 +168,7 @@ std::string markdown_table(const StudyTable& table) {
     text += fmt::format(" {}<br>{} [{}] |", column.expression, subject_of(column), column.unit);
     rule += "---:|";
   }
-  text += fmt::format(" {} |\n{}---:|\n", score_title, rule);
+  text += fmt::format(" {} | {} |\n{}---:|---:|\n", met_title, score_title, rule);
   for (const auto& row : words_of(table)) {
     text += '|';
     for (const std::string& word : row)
@@ -208,15 +212,19 @@ StudyTable make_study_table(std::span<const StudyEntry> entries) {
     auto row = std::ranges::find(table.rows, entry.variant, &StudyRow::variant);
     if (row == table.rows.end()) {
       table.rows.push_back(
-          {entry.variant, std::vector<StudyCell>(table.columns.size()), std::nullopt, false});
+          {.variant = entry.variant, .cells = std::vector<StudyCell>(table.columns.size())});
       row = std::prev(table.rows.end());
     }
     fill(*row, table.columns, entry);
   }
-  for (StudyRow& row : table.rows)
-    row.score = score_of(row, table.columns);
-  std::ranges::stable_sort(table.rows, {}, [](const StudyRow& row) {
-    return std::tuple(row.failed, !row.score, row.score.value_or(0.0));
+  int most = 0;
+  for (StudyRow& row : table.rows) {
+    compare(row, table.columns);
+    most = std::max(most, row.n_compared);
+  }
+  std::ranges::stable_sort(table.rows, {}, [most](const StudyRow& row) {
+    return std::tuple(row.failed, !row.score, row.n_compared < most, -row.n_met,
+                      row.score.value_or(0.0));
   });
   return table;
 }
@@ -229,9 +237,9 @@ std::string study_text(const StudyTable& table) {
     subjects.push_back(subject_of(column));
     units.push_back(fmt::format("[{}]", column.unit));
   }
-  units.emplace_back(score_title);
+  units.insert(units.end(), {met_title, score_title});
   rows.insert(rows.begin(), {std::move(subjects), std::move(units)});
-  std::vector<std::size_t> width(table.columns.size() + 2, 0);
+  std::vector<std::size_t> width(table.columns.size() + 3, 0);
   for (const auto& row : rows) {
     for (std::size_t c = 0; c < row.size(); ++c)
       width[c] = std::max(width[c], row[c].size());

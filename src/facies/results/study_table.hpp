@@ -42,8 +42,10 @@ struct StudyCell {
 struct StudyRow {
   std::string variant;
   std::vector<StudyCell> cells;  ///< one per column
-  std::optional<double>
-      score;  ///< mean of |difference| / band; nothing without a published value to compare with
+  int n_compared = 0;            ///< cells with a value beside a published one
+  int n_met = 0;                 ///< of these, no farther from it than its band
+  /// Mean of |difference| / band; nothing where none is compared.
+  std::optional<double> score = std::nullopt;
   bool failed = false;  ///< a run of the variant did not converge
 };
 
@@ -56,7 +58,8 @@ struct StudyTable {
 [[nodiscard]] double band_of(const PublishedValue& published);
 
 /// A column for every quantity that was published and measured, or, where nothing is published, for every one that was
-/// measured. A row for every variant, best score first; variants with a run that did not converge come after the others.
+/// measured. A row for every variant: those that meet most published values first, of these the best score; then variants that are
+/// compared with fewer values than others, then those with a run that did not converge.
 [[nodiscard]] StudyTable make_study_table(std::span<const StudyEntry> entries);
 
 /// For a terminal: the paper's row first; "failed" stands where a run did not converge, "-" where nothing was run.
