@@ -43,7 +43,7 @@ struct MuscleChoice {
 struct Gravity {
   double magnitude = 9800.0;          ///< [mm/s^2]
   Vec3 direction = {0.0, 0.0, -1.0};  ///< of any length but zero; +z is up
-  std::string from = "express";  ///< the kind of step that brings it on: "release" or "express"
+  std::string from = "release";  ///< the kind of step that brings it on: "release" or "express"
 
   /// The acceleration [mm/s^2].
   [[nodiscard]] Vec3 vector() const { return magnitude * direction.normalized(); }

@@ -86,9 +86,9 @@ std::vector<Field> general_fields() {
        {.doc = "Where it points, of any length: -x is anterior, +y the subject's right, +z up."},
        [](Scenario& s) { return &s.gravity.direction; }},
       {"gravity.from",
-       {.doc = "The kind of step that brings gravity on: release, so that the tensioned rest sags, "
-               "or express, so that it "
-               "does not, as in the authors' procedure (docs/decisions/gravity.md).",
+       {.doc = "The kind of step that brings gravity on: release, so that the tensioned rest, from "
+               "which displacements count, has sagged, or express, so that it has not "
+               "(docs/decisions/gravity.md).",
         .choices = {"release", "express"}},
        [](Scenario& s) { return &s.gravity.from; }},
   };
