@@ -43,6 +43,7 @@ struct SymmetricFactor::Petsc {
 void SymmetricFactor::analyse() {
   Petsc& p = *petsc_;
   check(MatGetFactor(p.matrix, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, &p.factor), "choosing MUMPS");
+  check(MatMumpsSetIcntl(p.factor, 7, 5), "ordering by METIS");
   check(MatMumpsSetIcntl(p.factor, 8, 0), "leaving the matrix unscaled");
   check(MatMumpsSetIcntl(p.factor, 13, 1), "asking MUMPS for the inertia");
   check(MatMumpsSetIcntl(p.factor, 14, p.workspace), "giving MUMPS workspace");

@@ -20,8 +20,10 @@ constexpr double grow = 8.0;
 constexpr double largest_shift = 1e4;
 constexpr double smallest_positivity = 1.0 / 64.0;
 constexpr int patience_with_positivity = 3;
-// When a tangent that was indefinite is tried again: after so many iterations, or sooner where the residual fell that much.
+// When a tangent that was indefinite is tried again: where the residual fell that much, else after so many iterations, twice as
+// many each time that it still is.
 constexpr int patience_with_tangent = 6;
+constexpr int most_patience_with_tangent = 48;
 constexpr double promising_fall = 0.2;
 constexpr double smallest_step = 1.0 / 65536.0;
 constexpr double energy_rounding = 1e-10;  // relative
@@ -63,7 +65,10 @@ struct Equilibrium::Work {
   bool moving = false;            // some prescribed unknown still has to move
   double positivity = 1.0;        // to be tried next where K is indefinite
   int times_at_once = 0;          // that it did, in a row
-  int overgrown = 0;              // states in a row with an overgrown element
+  int patience_with_tangent = solve::patience_with_tangent;
+  int next_exact =
+      solve::patience_with_tangent;  // the iteration in which K itself is tried at the latest
+  int overgrown = 0;                 // states in a row with an overgrown element
 };
 
 /// What a step starts from.
@@ -145,6 +150,14 @@ void Equilibrium::learn_positivity(Work& work, double positivity, bool at_once) 
   if (work.times_at_once < patience_with_positivity) return;
   work.positivity = std::max(smallest_positivity, 0.5 * positivity);
   work.times_at_once = 0;
+}
+
+/// K was tried, and the step was from it (exact) or not.
+void Equilibrium::learn_patience(Work& work, bool exact, int iteration) {
+  work.patience_with_tangent =
+      exact ? patience_with_tangent
+            : std::min(2 * work.patience_with_tangent, most_patience_with_tangent);
+  work.next_exact = iteration + work.patience_with_tangent;
 }
 
 /// A step from K itself where that is wanted and positive definite. Else from K with the negative eigenvalues of its blocks
@@ -340,8 +353,9 @@ NewtonReport Equilibrium::solve(mechanics::State& state, const mechanics::Contro
     const bool promising = iteration.exact || report.residual < promising_fall * previous;
     previous = report.residual;
     iteration = Iteration{.number = ++report.iterations};
-    const bool exact = promising || report.iterations % patience_with_tangent == 0;
-    const bool stepped = take_step(work, state, controls, exact, iteration, report);
+    const bool due = report.iterations >= work.next_exact;
+    const bool stepped = take_step(work, state, controls, promising || due, iteration, report);
+    if (promising || due) learn_patience(work, iteration.exact, report.iterations);
     report.factorisations += iteration.factorisations;
     if (!stepped) {
       report.reason = "no admissible state along any descent step carries less residual";
