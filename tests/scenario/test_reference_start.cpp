@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where a run begins on the reference face: the jaw on its joint, and no tissue in bone. Skipped where it is not at hand.
 #include <algorithm>
+#include <set>
 
 #include "anatomy/reference_face.hpp"
 #include "support/session.hpp"
@@ -22,6 +23,13 @@ TEST_F(ReferenceStart, HasNothingWrong) {
   EXPECT_TRUE(check_model(face(), reading.scenario).empty());
 }
 
+std::vector<Vec3> places_of(const BoneObstacle& bone) {
+  std::vector<Vec3> x;
+  for (const mechanics::Anchor& vertex : bone.surface.vertices)
+    x.push_back(vertex.X);
+  return x;
+}
+
 // The nodes beside the coronoid processes, thin and with walls that run through each other there, begin 3 and 6 mm away
 // from bone, on whose inner side a distance with a sign sees them. The nodes in the bone lie 1.6 mm deep at most,
 // and four are on the far side of the thin rear of the left ramus.
@@ -33,19 +41,20 @@ TEST_F(ReferenceStart, TakesNodesOutOfTheJawAndLeavesThoseBesideItsThinParts) {
   const std::vector<Vec3> u = resolve_overlaps(face(), points, obstacles, distance);
   for (const Index beside : {2305, 4993})
     EXPECT_EQ(u[at(beside)], Vec3::Zero());
-  std::vector<Vec3> x;
-  for (const mechanics::Anchor& vertex : obstacles.front().surface.vertices)
-    x.push_back(vertex.X);
-  int n_far = 0;
+  const std::vector<Vec3> x = places_of(obstacles.front());
+  const std::set<Index> far{527, 2394, 2396, 3175};
   for (const mechanics::ContactPoint& point : points) {
     const Vec3& move = u[at(point.anchor.index)];
-    n_far += move.norm() > 3.0 ? 1 : 0;
-    EXPECT_LE(move.norm(), 7.0);
+    if (far.contains(point.anchor.index)) {
+      EXPECT_GT(move.norm(), 3.0);
+      EXPECT_LE(move.norm(), 6.5) << "through the ramus to its outer side";
+    } else {
+      EXPECT_LE(move.norm(), 3.0);
+    }
     if (move == Vec3::Zero()) continue;
     EXPECT_NEAR(mesh::winding_number(x, obstacles.front().surface.triangles, point.anchor.X + move),
                 0.0, 1e-9);
   }
-  EXPECT_EQ(n_far, 4);
 }
 
 // As the mesh is read four columns at the thin rear of the left ramus begin on its inner side.
@@ -53,12 +62,9 @@ TEST_F(ReferenceStart, HasTheJawInTheWayOfNoColumnFromItsNodeOnBoneToTheSkin) {
   const double distance = 1.0;
   const SettledJaw settled = settle_jaw(*face().jaw, gravity);
   const std::vector<BoneObstacle> obstacles = bone_obstacles(face(), &settled, {});
-  const std::vector<mechanics::ContactPoint> points = inner_points(
-      face(), std::set<Index>(face().mesh.nodes("rim").begin(), face().mesh.nodes("rim").end()));
+  const std::vector<mechanics::ContactPoint> points = inner_points(face(), {});
   const std::vector<Vec3> u = resolve_overlaps(face(), points, obstacles, distance);
-  std::vector<Vec3> x;
-  for (const mechanics::Anchor& vertex : obstacles.front().surface.vertices)
-    x.push_back(vertex.X);
+  const std::vector<Vec3> x = places_of(obstacles.front());
   const mesh::NearestTriangles jaw(x, obstacles.front().surface.triangles);
   const auto n_passes = [&](bool moved) {
     int n = 0;

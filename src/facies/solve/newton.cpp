@@ -65,10 +65,9 @@ struct Equilibrium::Work {
   bool moving = false;            // some prescribed unknown still has to move
   double positivity = 1.0;        // to be tried next where K is indefinite
   int times_at_once = 0;          // that it did, in a row
-  int patience_with_tangent = solve::patience_with_tangent;
-  int next_exact =
-      solve::patience_with_tangent;  // the iteration in which K itself is tried at the latest
-  int overgrown = 0;                 // states in a row with an overgrown element
+  int wait_for_exact = patience_with_tangent;  // iterations until K itself is tried again
+  int next_exact = patience_with_tangent;      // the iteration in which it is, at the latest
+  int overgrown = 0;                           // states in a row with an overgrown element
 };
 
 /// What a step starts from.
@@ -152,12 +151,11 @@ void Equilibrium::learn_positivity(Work& work, double positivity, bool at_once) 
   work.times_at_once = 0;
 }
 
-/// K was tried, and the step was from it (exact) or not.
-void Equilibrium::learn_patience(Work& work, bool exact, int iteration) {
-  work.patience_with_tangent =
-      exact ? patience_with_tangent
-            : std::min(2 * work.patience_with_tangent, most_patience_with_tangent);
-  work.next_exact = iteration + work.patience_with_tangent;
+/// K itself was tried in this iteration, and it was fit for a step or not.
+void Equilibrium::learn_patience(Work& work, bool fit, int iteration) {
+  work.wait_for_exact =
+      fit ? patience_with_tangent : std::min(2 * work.wait_for_exact, most_patience_with_tangent);
+  work.next_exact = iteration + work.wait_for_exact;
 }
 
 /// A step from K itself where that is wanted and positive definite. Else from K with the negative eigenvalues of its blocks

@@ -69,7 +69,7 @@ class Equilibrium {
                                const mechanics::Controls& controls, double positivity,
                                Iteration& iteration);
   static void learn_positivity(Work& work, double positivity, bool at_once);
-  static void learn_patience(Work& work, bool exact, int iteration);
+  static void learn_patience(Work& work, bool fit, int iteration);
   [[nodiscard]] bool take_step(Work& work, mechanics::State& state,
                                const mechanics::Controls& controls, bool exact,
                                Iteration& iteration, NewtonReport& report);
