@@ -38,13 +38,15 @@ TEST(BentStep, KeepsATiedNodeOnTheBodyWhereItTurns) {
 TEST(BentStep, KeepsGuidedPointsOnCurvedPaths) {
   Model model(1, {bone()});
   const SweptCurve valley = swept_curve(0.0, 0.0, 20.0, 0.0, -1.0, 1.0);
-  const Guides& guides = model.add(std::make_unique<Guides>(
-      model, std::vector<Guide>{{"left", Anchor::on_body(0, {0, -8, 0}), valley},
-                                {"right", Anchor::on_body(0, {0, 8, 0}), valley}}));
+  const Joint& joint = model.add(
+      std::make_unique<Joint>(model,
+                              std::vector<Guide>{{"left", Anchor::on_body(0, {0, -8, 0}), valley},
+                                                 {"right", Anchor::on_body(0, {0, 8, 0}), valley}},
+                              std::vector<Stop>{}));
   const State from = model.initial_state();
   const auto farthest = [&](const State& state) {
-    return std::max(std::abs(guides.view(state, 0).distance),
-                    std::abs(guides.view(state, 1).distance));
+    return std::max(std::abs(joint.view(state, 0).distance),
+                    std::abs(joint.view(state, 1).distance));
   };
   ASSERT_NEAR(farthest(from), 0.0, 1e-12);
   // Along the tangent where both points stand.
@@ -53,6 +55,64 @@ TEST(BentStep, KeepsGuidedPointsOnCurvedPaths) {
   step[at(model.body_dof(0, 2))] = -4.0;
   ASSERT_GT(farthest(model.moved(from, step, 1.0)), 0.3) << "the path is nearly straight";
   EXPECT_LT(farthest(model.moved(from, model.bent(from, step, 1.0), 1.0)), 1e-4);
+}
+
+/// A bone on a level path, with a wall behind it, and a node that is tied to it.
+class BoneBeforeAWall : public ::testing::Test {
+ protected:
+  static constexpr double level = -8.0;
+
+  const Joint& add_joint(double wall) {
+    const SweptCurve path = swept_curve(0.0, level, 20.0, 0.0, 0.0, 0.0);
+    return model_.add(std::make_unique<Joint>(
+        model_, std::vector<Guide>{{"path", Anchor::on_body(0, {0, 0, level}), path}},
+        std::vector<Stop>{{"wall", Anchor::on_body(0, {5, 2, 3}), {wall, 0, 0}, Vec3::UnitX()}}));
+  }
+
+  const Attachment& add_tie() {
+    const Vec3 X(9, 9, 9);
+    return model_.add(std::make_unique<Attachment>(
+        model_, std::vector<Attachment::Tie>{{Anchor::on_node(0, X), Anchor::on_body(0, X)}}, 1e7));
+  }
+
+  /// Backwards, and the tied node with the bone.
+  [[nodiscard]] std::vector<double> backwards(double way) const {
+    std::vector<double> step(model_.n_dofs());
+    step[0] = step[at(model_.body_dof(0, 0))] = -way;
+    return step;
+  }
+
+  [[nodiscard]] State after(const std::vector<double>& step) const {
+    const State from = model_.initial_state();
+    return model_.moved(from, model_.bent(from, step, 1.0), 1.0);
+  }
+
+  Model model_{1, {bone()}};
+};
+
+TEST_F(BoneBeforeAWall, StopsThereStaysOnItsPathAndKeepsWhatIsTiedToIt) {
+  const Joint& joint = add_joint(4.0);
+  const Attachment& tie = add_tie();
+  const State state = after(backwards(3.0));
+  EXPECT_NEAR(joint.distance(state, 0), -0.25 * Joint::rounding, 1e-6) << "where it is felt";
+  EXPECT_NEAR(joint.view(state, 0).distance, 0.0, 1e-6);
+  EXPECT_LT(tie.largest_gap(state), 1e-6);
+}
+
+TEST_F(BoneBeforeAWall, GoesWhereTheStepLeadsWhileItIsNotThere) {
+  const Joint& joint = add_joint(1.0);
+  add_tie();
+  EXPECT_NEAR(joint.distance(after(backwards(3.0)), 0), 1.0, 1e-6);
+}
+
+TEST_F(BoneBeforeAWall, SinksInTwiceAsDeepAtMostUntilTheWallIsFullyFelt) {
+  const Joint& joint = add_joint(5.003);
+  EXPECT_NEAR(joint.distance(after(backwards(3.0)), 0), -0.006, 1e-6);
+}
+
+TEST_F(BoneBeforeAWall, GoesAsFarAsTheStepMeansWhereTheWallIsFullyFelt) {
+  const Joint& joint = add_joint(5.02);
+  EXPECT_NEAR(joint.distance(after(backwards(0.03)), 0), -0.05, 1e-6);
 }
 
 TEST(BentStep, OfASmallRatioIsTheStepItself) {

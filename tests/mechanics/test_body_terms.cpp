@@ -48,12 +48,12 @@ std::unique_ptr<const Term> make_attachment(const Model& model, bool inner) {
 
 std::unique_ptr<const Term> make_guides(const Model& model) {
   const SweptCurve curve = swept_curve(20.0, 5.0, 12.0, 5.0, -0.7, -0.2);
-  return std::make_unique<const Guides>(
+  return std::make_unique<const Joint>(
       model,
       std::vector<Guide>{{"a", of_body(0, {3, 4, 5}), curve},
                          {"b", of_body(1, {-3, 9, 2}), curve},
                          {"c", Anchor::on_node(1, {12, 0, 2}), curve}},
-      200.0);
+      std::vector<Stop>{}, 200.0);
 }
 
 /// Planes that their points have passed by `sunk` in the state of the tests.
@@ -65,7 +65,7 @@ std::unique_ptr<const Term> make_stops(const Model& model, const State& state, d
     const Vec3 normal = random.unit_vector();
     stops.push_back({"s", anchor, place_of(model, state, anchor) + sunk * normal, normal});
   }
-  return std::make_unique<const Stops>(model, std::move(stops), 200.0);
+  return std::make_unique<const Joint>(model, std::vector<Guide>{}, std::move(stops), 200.0);
 }
 
 struct BodyTerm {

@@ -7,50 +7,51 @@
 namespace facies::mechanics {
 namespace {
 
-TEST(Stops, LetGoAndHoldBack) {
+TEST(Joint, StopsLetGoAndHoldBack) {
   const Model model(1);
   const Vec3 normal = Vec3(1, 0, 2).normalized();
-  const Stops stops(model, {{"wall", Anchor::on_node(0, {5, 5, 5}), {5, 5, 5}, normal}}, 1e6);
+  const Joint joint(model, {}, {{"wall", Anchor::on_node(0, {5, 5, 5}), {5, 5, 5}, normal}}, 1e6);
   State state = model.initial_state();
   state.u[0] = 0.3 * normal + Vec3(0, 7, 0);
-  EXPECT_NEAR(stops.distance(state, 0), 0.3, 1e-14);
-  EXPECT_EQ(stops.reaction(state, 0), Vec3::Zero());
-  EXPECT_EQ(stops.energy(state, {}), 0.0);
+  EXPECT_NEAR(joint.distance(state, 0), 0.3, 1e-14);
+  EXPECT_EQ(joint.stop_reaction(state, 0), Vec3::Zero());
+  EXPECT_EQ(joint.energy(state, {}), 0.0);
   state.u[0] = -0.3 * normal;
-  EXPECT_NEAR(stops.distance(state, 0), -0.3, 1e-14);
-  EXPECT_TRUE(stops.reaction(state, 0).isApprox(1e6 * (0.3 - 0.005) * normal, 1e-12));
+  EXPECT_NEAR(joint.distance(state, 0), -0.3, 1e-14);
+  EXPECT_TRUE(joint.stop_reaction(state, 0).isApprox(1e6 * (0.3 - 0.005) * normal, 1e-12));
 }
 
-TEST(Stops, BearABiteWithoutSinkingInVisibly) {
+TEST(Joint, StopsBearABiteWithoutSinkingInVisibly) {
   // 300 N on one side: 0.035 mm.
   const Model model(1);
-  const Stops stops(model, {{"bite", Anchor::on_node(0, {0, 0, 0}), {0, 0, 0}, Vec3::UnitZ()}});
+  const Joint joint(model, {}, {{"bite", Anchor::on_node(0, {0, 0, 0}), {0, 0, 0}, Vec3::UnitZ()}});
   State state = model.initial_state();
   state.u[0] = {0, 0, -0.035};
-  EXPECT_NEAR(stops.reaction(state, 0).z(), 300e3, 1.0);
+  EXPECT_NEAR(joint.stop_reaction(state, 0).z(), 300e3, 1.0);
 }
 
-TEST(Guides, HoldFromBothSidesAlongTheNormal) {
+TEST(Joint, GuidesHoldFromBothSidesAlongTheNormal) {
   const Model model(1);
   const SweptCurve slope = swept_curve(10.0, 0.0, 4.0, 4.0, -1.0, -1.0);
-  const Guides guides(model, {{"TMJ", Anchor::on_node(0, {8, 3, -2}), slope}}, 1e6);
+  const Joint joint(model, {{"TMJ", Anchor::on_node(0, {8, 3, -2}), slope}}, {}, 1e6);
   State state = model.initial_state();
-  EXPECT_NEAR(guides.view(state, 0).distance, 0.0, 1e-14);
+  EXPECT_NEAR(joint.view(state, 0).distance, 0.0, 1e-14);
   const Vec3 normal = Vec3(-1, 0, 1).normalized();
   for (const double d : {-0.2, 0.2}) {
     state.u[0] = d * normal + Vec3(0, 9, 0);
-    EXPECT_NEAR(guides.view(state, 0).distance, d, 1e-14);
-    EXPECT_TRUE(guides.reaction(state, 0).isApprox(-1e6 * d * normal, 1e-10));
+    EXPECT_NEAR(joint.view(state, 0).distance, d, 1e-14);
+    EXPECT_TRUE(joint.guide_reaction(state, 0).isApprox(-1e6 * d * normal, 1e-10));
   }
 }
 
-TEST(Guides, BearTheStrongestMuscleWithinTwentyMicrometres) {
+TEST(Joint, GuidesBearTheStrongestMuscleWithinTwentyMicrometres) {
   const Model model(1);
-  const Guides guides(
-      model, {{"TMJ", Anchor::on_node(0, {0, 0, 0}), swept_curve(0.0, 0.0, 12.0, 0.0, 0.0, 0.0)}});
+  const Joint joint(
+      model, {{"TMJ", Anchor::on_node(0, {0, 0, 0}), swept_curve(0.0, 0.0, 12.0, 0.0, 0.0, 0.0)}},
+      {});
   State state = model.initial_state();
   state.u[0] = {0, 0, 0.019};
-  EXPECT_NEAR(guides.reaction(state, 0).z(), -190e3, 1.0);
+  EXPECT_NEAR(joint.guide_reaction(state, 0).z(), -190e3, 1.0);
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ ContactAnswers ask_contact(bool is_bone, int threads) {
     fall[at(dof(n_vertices + k, 2))] = -random.uniform(0.0, 2.0);
   answers.longest_step = contact.longest_step(state, model.moved(state, fall, 1.0));
   answers.bent = fall;
-  contact.bend(state, answers.bent);
+  contact.bend(state, fall, answers.bent);
   EXPECT_NE(answers.bent, fall) << "some would run into it";
   Stencils likely;
   contact.likely_stencils(state, likely);

@@ -190,10 +190,10 @@ TEST(JawAlone, RestsInBalanceOfMusclesJointAndWeight) {
     act(muscle.b, -tension * to_b.normalized());
     pull += tension;
   }
-  for (std::size_t g = 0; g < alone.terms.guides->guides().size(); ++g)
-    act(alone.terms.guides->guides()[g].anchor, alone.terms.guides->reaction(state, g));
-  for (std::size_t k = 0; k < alone.terms.stops->stops().size(); ++k)
-    act(alone.terms.stops->stops()[k].anchor, alone.terms.stops->reaction(state, k));
+  for (std::size_t g = 0; g < alone.terms.joint->guides().size(); ++g)
+    act(alone.terms.joint->guides()[g].anchor, alone.terms.joint->guide_reaction(state, g));
+  for (std::size_t k = 0; k < alone.terms.joint->stops().size(); ++k)
+    act(alone.terms.joint->stops()[k].anchor, alone.terms.joint->stop_reaction(state, k));
   EXPECT_GT(pull, 1000.0);
   EXPECT_LE(force.norm(), 1e-5 * pull);
   EXPECT_LE(moment.norm(), 1e-5 * pull * body.arm());
@@ -216,7 +216,7 @@ TEST_P(Opening, ComesOutAsOnARigidJointAndAsOthersFound) {
   EXPECT_NEAR(incisors, distance(alone.jaw, planar.pose(q), "lower_incisor", "upper_incisor"), 0.1);
   EXPECT_NEAR(alone.turned(state), std::abs(q(1)) * 180.0 / std::numbers::pi, 0.1);
   for (const std::size_t g : {0U, 1U})
-    EXPECT_NEAR(alone.terms.guides->view(state, g).travel, q(0), 0.15);
+    EXPECT_NEAR(alone.terms.joint->view(state, g).travel, q(0), 0.15);
 }
 
 TEST(JawAlone, WouldOpenAsTheAuthorsProgramDoesIfCondylesStoppedWhereTheCubicEnds) {
@@ -234,10 +234,10 @@ TEST_P(Opening, IsAsSymmetricAsTheData) {
   const JawAlone alone;
   const mechanics::State state = alone.drive({{GetParam().first, 1.0}});
   EXPECT_LE(std::abs(alone.place(state, "lower_incisor").y()), 0.2);
-  EXPECT_NEAR(alone.terms.guides->view(state, 0).travel, alone.terms.guides->view(state, 1).travel,
+  EXPECT_NEAR(alone.terms.joint->view(state, 0).travel, alone.terms.joint->view(state, 1).travel,
               0.3);
   for (const std::size_t g : {0U, 1U})
-    EXPECT_LE(std::abs(alone.terms.guides->view(state, g).distance), 0.02);
+    EXPECT_LE(std::abs(alone.terms.joint->view(state, g).distance), 0.02);
 }
 
 INSTANTIATE_TEST_SUITE_P(Exciters, Opening,
@@ -258,8 +258,8 @@ TEST(JawAlone, OpensToOneSideWhenOneSidePulls) {
   // The left pterygoids draw the left condyle forward, and the chin goes to the right (+y).
   const JawAlone alone;
   const mechanics::State state = alone.drive({{"llp", 0.5}});
-  EXPECT_GT(alone.terms.guides->view(state, 0).travel,
-            alone.terms.guides->view(state, 1).travel + 1.0);
+  EXPECT_GT(alone.terms.joint->view(state, 0).travel,
+            alone.terms.joint->view(state, 1).travel + 1.0);
   EXPECT_GT(alone.place(state, "lower_incisor").y(), 1.0);
 }
 
@@ -268,10 +268,10 @@ TEST(JawAlone, BitesOnItsStops) {
   const mechanics::State state = alone.drive({{"bi_close", 0.1}});
   EXPECT_NEAR(alone.incisors(state), 2.584, 0.3);
   std::map<std::string, std::pair<double, double>> stops;  // distance, force
-  for (std::size_t k = 0; k < alone.terms.stops->stops().size(); ++k) {
-    const double force = alone.terms.stops->reaction(state, k).norm();
-    const double distance = alone.terms.stops->distance(state, k);
-    stops[alone.terms.stops->stops()[k].name] = {distance, force};
+  for (std::size_t k = 0; k < alone.terms.joint->stops().size(); ++k) {
+    const double force = alone.terms.joint->stop_reaction(state, k).norm();
+    const double distance = alone.terms.joint->distance(state, k);
+    stops[alone.terms.joint->stops()[k].name] = {distance, force};
     EXPECT_GE(distance, -0.05);
     EXPECT_EQ(force > 0.0, distance < 0.0);
   }

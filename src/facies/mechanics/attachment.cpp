@@ -27,11 +27,12 @@ bool Attachment::add_residual(const State& state, const Controls& /*controls*/, 
   return true;
 }
 
-void Attachment::bend(const State& from, std::span<double> increments) const {
+void Attachment::bend(const State& from, std::span<const double> straight,
+                      std::span<double> increments) const {
   const State to = model_.moved(from, increments, 1.0);
   for (const Tie& tie : ties_) {
-    const Vec3 meant = gap(from, tie) + way_of(model_, from, tie.a, increments) -
-                       way_of(model_, from, tie.b, increments);
+    const Vec3 meant = gap(from, tie) + way_of(model_, from, tie.a, straight) -
+                       way_of(model_, from, tie.b, straight);
     const Vec3 missing = meant - gap(to, tie);
     if (tie.a.kind == Anchor::Kind::node)
       Eigen::Map<Vec3>(increments.data() + dof(tie.a.index, 0)) += missing;

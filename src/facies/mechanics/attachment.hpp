@@ -26,8 +26,9 @@ class Attachment final : public Term {
   [[nodiscard]] double energy(const State& state, const Controls& controls) const override;
   [[nodiscard]] bool add_residual(const State& state, const Controls& controls, std::span<double> r,
                                   Inadmissible* why) const override;
-  /// Nodes follow the body on its circle, not on the tangent.
-  void bend(const State& from, std::span<double> increments) const override;
+  /// Nodes follow the body where it goes: on its circle, not on the tangent, and no farther than it.
+  void bend(const State& from, std::span<const double> straight,
+            std::span<double> increments) const override;
   void list_stencils(const State& state, Stencils& stencils) const override;
   void add_tangent(const State& state, const Controls& controls, TangentSink& K) const override;
 

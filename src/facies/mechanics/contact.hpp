@@ -70,7 +70,8 @@ class Contact final : public Term {
   [[nodiscard]] double longest_step(const State& from, const State& to) const override;
   /// Nodes on their way into a bone stop before it, or go along with it where it comes towards them; those on their way
   /// into tissue stop halfway, as that does.
-  void bend(const State& from, std::span<double> increments) const override;
+  void bend(const State& from, std::span<const double> straight,
+            std::span<double> increments) const override;
   void list_stencils(const State& state, Stencils& stencils) const override;
   [[nodiscard]] bool couplings_change() const override { return true; }
   void likely_stencils(const State& state, Stencils& stencils) const override;

@@ -147,7 +147,8 @@ Vec3 Contact::lift(const Geometry& to, std::size_t p, double gap) const {
   return share() * (gap / nearest->distance - 1.0) * nearest->offset;
 }
 
-void Contact::bend(const State& from, std::span<double> increments) const {
+void Contact::bend(const State& from, std::span<const double> /*straight*/,
+                   std::span<double> increments) const {
   const State to = model_.moved(from, increments, 1.0);
   const std::shared_ptr<const Scene> scene_before = scene(from);
   const std::optional<Geometry> after = geometry(to);

@@ -53,11 +53,12 @@ State Model::moved(const State& state, std::span<const double> increments, doubl
 
 std::vector<double> Model::bent(const State& state, std::span<const double> increments,
                                 double ratio) const {
-  std::vector<double> step(increments.begin(), increments.end());
-  for (double& increment : step)
+  std::vector<double> straight(increments.begin(), increments.end());
+  for (double& increment : straight)
     increment *= ratio;
+  std::vector<double> step = straight;
   for (const auto& term : terms_)
-    term->bend(state, step);
+    term->bend(state, straight, step);
   return step;
 }
 

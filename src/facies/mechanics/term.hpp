@@ -85,8 +85,10 @@ class Term {
   }
 
   /// Bends a step that is about to be tried: changes increments [n_dofs] [mm] in second order only, or so that what would
-  /// run into something stops before it. Newton's steps are straight, what stiff parts allow is not.
-  virtual void bend(const State& /*from*/, std::span<double> /*increments*/) const {}
+  /// run into something stops before it. Newton's steps are straight, what stiff parts allow is not. `straight` is the step
+  /// as it was before any term bent it.
+  virtual void bend(const State& /*from*/, std::span<const double> /*straight*/,
+                    std::span<double> /*increments*/) const {}
 
   /// The groups that add_tangent fills, in its numbering. Fixed for the life of the term, unless couplings_change().
   virtual void list_stencils(const State& /*state*/, Stencils& /*stencils*/) const {}

@@ -22,11 +22,11 @@ mechanics::RigidBody body_in_file(const anatomy::Jaw& jaw) {
 /// Farthest that a guided point is off its path, and the smallest distance from a stop [mm].
 std::pair<double, double> joint_distances(const JawTerms& terms, const mechanics::State& state) {
   double off = 0.0;
-  for (std::size_t g = 0; g < terms.guides->guides().size(); ++g)
-    off = std::max(off, std::abs(terms.guides->view(state, g).distance));
+  for (std::size_t g = 0; g < terms.joint->guides().size(); ++g)
+    off = std::max(off, std::abs(terms.joint->view(state, g).distance));
   double deepest = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < terms.stops->stops().size(); ++k)
-    deepest = std::min(deepest, terms.stops->distance(state, k));
+  for (std::size_t k = 0; k < terms.joint->stops().size(); ++k)
+    deepest = std::min(deepest, terms.joint->distance(state, k));
   return {off, deepest};
 }
 
@@ -49,13 +49,13 @@ void check_joint(const anatomy::Jaw& jaw, const JawTerms& terms, const mechanics
   };
   for (std::size_t g = 0; g < jaw.guides.size(); ++g) {
     const anatomy::JawGuide& guide = jaw.guides[g];
-    add(guide.where, guide.point, std::abs(terms.guides->view(state, g).distance),
+    add(guide.where, guide.point, std::abs(terms.joint->view(state, g).distance),
         "off the path " + guide.name);
   }
   std::size_t k = 0;
   for (const anatomy::JawStop& stop : jaw.stops) {
     if (!stop.enabled) continue;
-    add(stop.where, stop.point, -terms.stops->distance(state, k), "beyond the stop " + stop.name);
+    add(stop.where, stop.point, -terms.joint->distance(state, k), "beyond the stop " + stop.name);
     ++k;
   }
 }
@@ -113,8 +113,8 @@ JawTerms add_jaw_terms(mechanics::Model& model, const anatomy::Jaw& jaw,
                         muscle.tendon_ratio, muscle.passive_fraction, muscle.damping}});
   }
   JawTerms terms;
-  terms.guides = &model.add(std::make_unique<mechanics::Guides>(model, std::move(guides)));
-  terms.stops = &model.add(std::make_unique<mechanics::Stops>(model, std::move(stops)));
+  terms.joint =
+      &model.add(std::make_unique<mechanics::Joint>(model, std::move(guides), std::move(stops)));
   terms.muscles = &model.add(std::make_unique<mechanics::HillMuscles>(model, std::move(muscles)));
   return terms;
 }

@@ -33,10 +33,9 @@ struct SettledJaw {
 [[nodiscard]] mechanics::Anchor anchor_of(const anatomy::Jaw& jaw, const SettledJaw& settled,
                                           const anatomy::BonePoint& point);
 
-/// Guides, stops and muscles, in this order, into a model whose body 0 is the jaw; the muscles in the order of Jaw::muscles.
+/// Joint and muscles, in this order, into a model whose body 0 is the jaw; the muscles in the order of Jaw::muscles.
 struct JawTerms {
-  const mechanics::Guides* guides = nullptr;
-  const mechanics::Stops* stops = nullptr;
+  const mechanics::Joint* joint = nullptr;
   const mechanics::HillMuscles* muscles = nullptr;
 };
 JawTerms add_jaw_terms(mechanics::Model& model, const anatomy::Jaw& jaw, const SettledJaw& settled);

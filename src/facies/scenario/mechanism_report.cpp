@@ -28,12 +28,11 @@ std::optional<results::JawMeasure> measure_jaw(const FaceModel& model,
   if (!model.jaw) return std::nullopt;
   results::JawMeasure measure;
   measure.incisor_distance = incisor_distance(model, state);
-  const mechanics::Guides& guides = *model.jaw_terms.guides;
-  for (std::size_t g = 0; g < guides.guides().size(); ++g)
-    measure.reactions.push_back({guides.guides()[g].name, guides.reaction(state, g)});
-  const mechanics::Stops& stops = *model.jaw_terms.stops;
-  for (std::size_t k = 0; k < stops.stops().size(); ++k)
-    measure.reactions.push_back({stops.stops()[k].name, stops.reaction(state, k)});
+  const mechanics::Joint& joint = *model.jaw_terms.joint;
+  for (std::size_t g = 0; g < joint.guides().size(); ++g)
+    measure.reactions.push_back({joint.guides()[g].name, joint.guide_reaction(state, g)});
+  for (std::size_t k = 0; k < joint.stops().size(); ++k)
+    measure.reactions.push_back({joint.stops()[k].name, joint.stop_reaction(state, k)});
   return measure;
 }
 
