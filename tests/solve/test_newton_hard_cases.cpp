@@ -44,10 +44,12 @@ Controls loaded_top(const mesh::Mesh& mesh, const Vec3& force) {
 struct Heard {
   double smallest_step = 1.0;
   bool met_indefinite = false;
+  int without_factorisation = 0;
   std::function<void(const Iteration&)> listen = [this](const Iteration& iteration) {
     if (iteration.number == 0) return;
     smallest_step = std::min(smallest_step, iteration.step_length);
     met_indefinite = met_indefinite || !iteration.exact;
+    if (iteration.factorisations == 0) ++without_factorisation;
   };
 };
 
@@ -124,6 +126,18 @@ TEST_F(Column, BucklesThroughIndefiniteTangents) {
   EXPECT_TRUE(heard.met_indefinite) << "the case does not test what it should";
   EXPECT_GT(std::abs(sway(state)), 1.0);
   EXPECT_EQ(negative_eigenvalues(state), 0) << "a stable equilibrium";
+}
+
+TEST_F(Column, BucklesWithFewerFactorisationsThanIterations) {
+  State state = column_.model.initial_state();
+  for (std::size_t node = 0; node < state.u.size(); ++node)
+    state.u[node].x() = 1e-3 * std::sin(0.15 * column_.mesh.X()[node].z());
+  Heard heard;
+  Equilibrium equilibrium(column_.model, pressed_.dofs);
+  const NewtonReport report = equilibrium.solve(state, {}, pressed_.values, {}, heard.listen);
+  ASSERT_TRUE(report.converged) << report.reason;
+  EXPECT_GT(heard.without_factorisation, 0);
+  EXPECT_LT(report.factorisations, report.iterations);
 }
 
 TEST_F(Column, HasLessEnergyBentThanStraight) {

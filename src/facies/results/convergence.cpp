@@ -55,8 +55,8 @@ std::string convergence_text(std::span<const IncrementRecord> increments) {
   std::string text =
       "residual: over the free unknowns [mN]; relative: by the load; correction: largest of a node "
       "[mm];\n"
-      "length: part of the Newton step that was taken; shift: of the diagonal, relative; fact.: "
-      "factorisations;\n"
+      "length: part of the Newton step that was taken; shift: of the diagonal, relative;\n"
+      "fact.: factorisations, 0 where an earlier one served again;\n"
       "+: the tangent was indefinite, its positive part was used\n";
   int step = 0;
   for (const IncrementRecord& increment : increments) {

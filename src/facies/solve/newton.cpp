@@ -9,6 +9,7 @@
 
 #include "facies/base/error.hpp"
 #include "facies/mechanics/time_step.hpp"
+#include "facies/solve/newton_work.hpp"
 
 namespace facies::solve {
 
@@ -26,17 +27,23 @@ constexpr int patience_with_tangent = 6;
 constexpr int most_patience_with_tangent = 48;
 constexpr double promising_fall = 0.2;
 constexpr double smallest_step = 1.0 / 65536.0;
-constexpr double energy_rounding = 1e-10;  // relative
-constexpr double sufficient = 1e-4;        // part of the expected decrease of energy that is enough
-constexpr double almost_all =
-    0.999;  // of a way that was found free, so that rounding does not block it
-constexpr double notably_less = 0.9;      // of a way that was found free and, bent anew, is not
-constexpr double longest_stretch = 16.0;  // times a whole step
-constexpr double still_steep = 0.5;    // part of the starting slope that makes going on worth a try
-constexpr double accepted_work = 0.9;  // part of the starting work that may remain after a step
+// The factor of a positive part serves for more steps: while each takes away this part of the energy that its own step did (a
+// step without assembly and factorisation costs a sixth to a tenth), is not much longer than it, and is gone for a good part.
+constexpr double worth_reusing = 0.05;
+constexpr int most_reuses = 30;
+constexpr double longest_reuse = 2.0;
+constexpr double least_length_before = 0.25;
+constexpr double least_length = 0.125;
 // Iterations in a row that may pass through states with an overgrown element. Where one heals, it does so in a few; where
 // the tissue tears, more only stretch it to infinity.
 constexpr int overgrown_patience = 8;
+
+double largest_of(std::span<const double> v) {
+  double largest = 0.0;
+  for (const double x : v)
+    largest = std::max(largest, std::abs(x));
+  return largest;
+}
 
 double square_sum(std::span<const double> v) {
   double sum = 0.0;
@@ -52,40 +59,6 @@ std::string describe_residual(const NewtonReport& report) {
 }
 
 }  // namespace
-
-/// What one call of solve() works on.
-struct Equilibrium::Work {
-  std::vector<double> r;          // [n_dofs]
-  std::vector<double> values;     // nonzeros of K
-  std::vector<double> moves;      // [n_dofs] what prescribed unknowns still have to move
-  std::vector<double> coupling;   // [n_equations]
-  std::vector<double> rhs;        // [n_equations]
-  std::vector<double> step;       // [n_equations]
-  std::vector<double> increment;  // [n_dofs] the step and the moves
-  bool moving = false;            // some prescribed unknown still has to move
-  double positivity = 1.0;        // to be tried next where K is indefinite
-  int times_at_once = 0;          // that it did, in a row
-  int wait_for_exact = patience_with_tangent;  // iterations until K itself is tried again
-  int next_exact = patience_with_tangent;      // the iteration in which it is, at the latest
-  int overgrown = 0;                           // states in a row with an overgrown element
-};
-
-/// What a step starts from.
-struct Equilibrium::Descent {
-  double energy = 0.0;  // [uJ]
-  bool in_time = false;
-};
-
-/// Where a part of a step leads.
-struct Equilibrium::Trial {
-  mechanics::State state;
-  std::vector<double> r;  // [n_dofs]
-  double free_way = 1.0;  // of the bent step
-  double energy = 0.0;    // [uJ]
-  double work_before =
-      0.0;  // minus the slope of the energy along the bent step, per whole step, where it begins [uJ]
-  double work_after = 0.0;  // the slope where it ends [uJ]
-};
 
 Equilibrium::Equilibrium(const mechanics::Model& model, std::vector<Index> prescribed)
     : model_(model),
@@ -164,6 +137,7 @@ void Equilibrium::learn_patience(Work& work, bool fit, int iteration) {
 bool Equilibrium::take_step(Work& work, mechanics::State& state,
                             const mechanics::Controls& controls, bool exact, Iteration& iteration,
                             NewtonReport& report) {
+  work.reuse.possible = false;
   const double first = work.positivity;
   double positivity = exact ? 0.0 : first;
   while (iteration.shift <= largest_shift) {
@@ -173,11 +147,13 @@ bool Equilibrium::take_step(Work& work, mechanics::State& state,
         work.rhs[k] = -work.r[at(assembly_.equations().dof_of_equation[k])] - work.coupling[k];
       }
       factor_->solve(work.rhs, work.step);
-      iteration.step_length = find_step(work, state, controls, report);
+      iteration.step_length = find_step(work, state, controls, smallest_step, report);
     }
     if (iteration.step_length > 0.0) {
       iteration.exact = positivity == 0.0;
       if (!iteration.exact) learn_positivity(work, positivity, positivity == first);
+      if (!iteration.exact && !work.moving && controls.time_step == nullptr)
+        begin_reuse(work, iteration);
       return true;
     }
     if (positivity == 1.0) {
@@ -191,96 +167,54 @@ bool Equilibrium::take_step(Work& work, mechanics::State& state,
   return false;
 }
 
-/// The work of r along increments of the free unknowns [uJ].
-double Equilibrium::work_of_free(std::span<const double> r,
-                                 std::span<const double> increments) const {
-  double sum = 0.0;
-  for (const Index dof : assembly_.equations().dof_of_equation)
-    sum += r[at(dof)] * increments[at(dof)];
-  return sum;
+/// A step that was gone, and what became of the residual, over the free unknowns.
+void Equilibrium::learn_secant(Work& work) const {
+  const std::vector<Index>& dofs = assembly_.equations().dof_of_equation;
+  std::vector<double> way, change;
+  for (const Index dof : dofs) {
+    way.push_back(work.way[at(dof)]);
+    change.push_back(work.r[at(dof)] - work.r_before[at(dof)]);
+  }
+  work.reuse.secants.learn(std::move(way), std::move(change));
 }
 
-/// Whether a trial is nearer to equilibrium: its energy is lower by a sufficient part of what the slope promised; or,
-/// where differences of energy drown in rounding, it is not higher and the residual's work along the step fell. (The work alone
-/// would let iterations go to and fro between two states on either side of a kink, as contact has. In a time step, where
-/// a turning body has no potential and mass keeps iterations from that, it is enough.)
-bool Equilibrium::is_nearer(const Descent& before, const Trial& trial, double step) const {
-  if (trial.energy <= before.energy - sufficient * step * trial.work_before) return true;
-  const bool not_higher =
-      before.in_time || trial.energy <= before.energy + energy_rounding * std::abs(before.energy);
-  return not_higher && std::abs(trial.work_after) <= accepted_work * trial.work_before;
+/// A step with a new factor has been taken.
+void Equilibrium::begin_reuse(Work& work, const Iteration& iteration) const {
+  Reuse& reuse = work.reuse;
+  reuse.possible = true;
+  reuse.steps = 0;
+  reuse.gain = reuse.last_gain = work.gain;
+  reuse.last_length = iteration.step_length;
+  reuse.largest = largest_of(work.step);
+  reuse.secants.forget();
+  learn_secant(work);
 }
 
-/// The state where part `step` of the Newton step, bent, leads to; false where something is in the way (then `free_way` of the
-/// bent step is free) or the state is inadmissible.
-bool Equilibrium::try_step(const Work& work, const mechanics::State& state,
-                           const mechanics::Controls& controls, double step, Trial& trial,
-                           NewtonReport& report) const {
-  const std::vector<double> bent = model_.bent(state, work.increment, step);
-  trial.state = model_.moved(state, bent, 1.0);
-  trial.r.resize(work.r.size());
-  trial.free_way = model_.longest_step(state, trial.state);
-  if (trial.free_way < 1.0) return false;
-  if (!model_.residual(trial.state, controls, trial.r, &report.inadmissible)) return false;
-  trial.work_before = -work_of_free(work.r, bent) / step;
-  trial.work_after = work_of_free(trial.r, bent) / step;
-  if (!std::isfinite(trial.work_after)) return false;
-  if (!work.moving) trial.energy = model_.energy(trial.state, controls);
+/// A step from the factor of an earlier tangent, corrected by what the steps since then taught; false where there is none
+/// or where it is not worth its while.
+bool Equilibrium::take_step_with_old_factor(Work& work, mechanics::State& state,
+                                            const mechanics::Controls& controls,
+                                            Iteration& iteration, NewtonReport& report) const {
+  Reuse& reuse = work.reuse;
+  if (!reuse.possible || reuse.steps == most_reuses || reuse.last_length < least_length_before ||
+      reuse.last_gain < worth_reusing * reuse.gain) {
+    return false;
+  }
+  for (std::size_t k = 0; k < work.rhs.size(); ++k)
+    work.rhs[k] = -work.r[at(assembly_.equations().dof_of_equation[k])];
+  reuse.secants.solve(
+      work.rhs,
+      [this](std::span<const double> rhs, std::span<double> x) { factor_->solve(rhs, x); },
+      work.step);
+  if (largest_of(work.step) > longest_reuse * reuse.largest) return false;
+  iteration.step_length = find_step(work, state, controls, least_length, report);
+  if (iteration.step_length == 0.0) return false;
+  iteration.exact = false;
+  ++reuse.steps;
+  reuse.last_gain = work.gain;
+  reuse.last_length = iteration.step_length;
+  learn_secant(work);
   return true;
-}
-
-/// Part of the Newton step, the longest that is found by shortening it, which leads, once bent, to an admissible state
-/// nearer to equilibrium; where its end is still steep, more than the whole. Updates state and residual; 0 where no part
-/// will do.
-double Equilibrium::find_step(Work& work, mechanics::State& state,
-                              const mechanics::Controls& controls, NewtonReport& report) const {
-  Descent before;
-  before.in_time = controls.time_step != nullptr;
-  if (!work.moving) before.energy = model_.energy(state, controls);
-  work.increment = work.moves;
-  for (std::size_t k = 0; k < work.step.size(); ++k)
-    work.increment[at(assembly_.equations().dof_of_equation[k])] = work.step[k];
-  Trial trial;
-  double step = 1.0;
-  double free_part = almost_all;
-  while (step >= smallest_step) {
-    const bool admissible = try_step(work, state, controls, step, trial, report);
-    if (trial.free_way < 1.0) {
-      step *= std::min(trial.free_way, free_part);
-      free_part = notably_less;
-      continue;
-    }
-    double shorten = 0.5;
-    if (admissible) {
-      const bool downhill = trial.work_before > 0.0;
-      if (work.moving || (downhill && is_nearer(before, trial, step))) {
-        if (step == 1.0 && !work.moving && !before.in_time)
-          step = go_on(work, state, controls, trial, report);
-        state = std::move(trial.state);
-        work.r.swap(trial.r);
-        return step;
-      }
-      if (downhill && trial.work_after > 0.0)
-        shorten = std::clamp(trial.work_before / (trial.work_before + trial.work_after), 0.1, 0.5);
-    }
-    step *= shorten;
-  }
-  return 0.0;
-}
-
-/// From the end of a whole step on, twice as far each time while the energy keeps falling and its slope stays steep.
-double Equilibrium::go_on(const Work& work, const mechanics::State& state,
-                          const mechanics::Controls& controls, Trial& best,
-                          NewtonReport& report) const {
-  double step = 1.0;
-  Trial farther;
-  while (step < longest_stretch && -best.work_after > still_steep * best.work_before &&
-         try_step(work, state, controls, 2.0 * step, farther, report) &&
-         farther.energy < best.energy) {
-    std::swap(best, farther);
-    step *= 2.0;
-  }
-  return step;
 }
 
 void Equilibrium::update_moves(Work& work, const mechanics::State& state,
@@ -335,6 +269,7 @@ NewtonReport Equilibrium::solve(mechanics::State& state, const mechanics::Contro
   work.moves.assign(model_.n_dofs(), 0.0);
   work.rhs.resize(assembly_.equations().size());
   work.step.resize(assembly_.equations().size());
+  work.wait_for_exact = work.next_exact = patience_with_tangent;
   if (!model_.residual(state, controls, work.r, &report.inadmissible)) {
     report.reason = "the state to start from is inadmissible";
     return report;
@@ -351,9 +286,11 @@ NewtonReport Equilibrium::solve(mechanics::State& state, const mechanics::Contro
     const bool promising = iteration.exact || report.residual < promising_fall * previous;
     previous = report.residual;
     iteration = Iteration{.number = ++report.iterations};
-    const bool due = report.iterations >= work.next_exact;
-    const bool stepped = take_step(work, state, controls, promising || due, iteration, report);
-    if (promising || due) learn_patience(work, iteration.exact, report.iterations);
+    const bool exact = promising || report.iterations >= work.next_exact;
+    const bool stepped =
+        (!exact && take_step_with_old_factor(work, state, controls, iteration, report)) ||
+        take_step(work, state, controls, exact, iteration, report);
+    if (exact) learn_patience(work, iteration.exact, report.iterations);
     report.factorisations += iteration.factorisations;
     if (!stepped) {
       report.reason = "no admissible state along any descent step carries less residual";

@@ -56,6 +56,7 @@ class Equilibrium {
                                      const mechanics::Controls& controls) const;
 
  private:
+  struct Reuse;
   struct Work;
   struct Descent;
   struct Trial;
@@ -73,8 +74,14 @@ class Equilibrium {
   [[nodiscard]] bool take_step(Work& work, mechanics::State& state,
                                const mechanics::Controls& controls, bool exact,
                                Iteration& iteration, NewtonReport& report);
+  [[nodiscard]] bool take_step_with_old_factor(Work& work, mechanics::State& state,
+                                               const mechanics::Controls& controls,
+                                               Iteration& iteration, NewtonReport& report) const;
+  void learn_secant(Work& work) const;
+  void begin_reuse(Work& work, const Iteration& iteration) const;
   [[nodiscard]] double find_step(Work& work, mechanics::State& state,
-                                 const mechanics::Controls& controls, NewtonReport& report) const;
+                                 const mechanics::Controls& controls, double shortest,
+                                 NewtonReport& report) const;
   [[nodiscard]] double go_on(const Work& work, const mechanics::State& state,
                              const mechanics::Controls& controls, Trial& best,
                              NewtonReport& report) const;

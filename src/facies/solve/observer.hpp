@@ -18,7 +18,7 @@ struct Iteration {
   double correction = 0.0;   ///< largest nodal correction of the step that led here [mm]
   double step_length = 0.0;  ///< how many Newton steps long the step was, 0..16
   double shift = 0.0;        ///< of the diagonal, relative; 0: none was needed
-  int factorisations = 0;    ///< matrix factorisations that this iteration needed
+  int factorisations = 0;  ///< that this iteration needed; 0: it used the factor of an earlier one
   bool exact = true;  ///< the tangent itself was used; else one with smaller negative eigenvalues
 };
 
