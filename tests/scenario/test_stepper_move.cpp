@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sheet of skin that moves: along its curves, slowly to where statics ends, in as many frames as asked for.
+// A sheet of skin that goes in parts or in time: in as many as asked for, along its curves, slowly to where statics ends.
 #include "scenario/reading.hpp"
 #include "support/session.hpp"
 #include <gtest/gtest.h>
@@ -55,6 +55,21 @@ TEST(Move, FollowsItsCurvesFrameByFrame) {
     for (std::size_t k = 0; k < 5; ++k)
       EXPECT_NEAR(carried.activations.at(k), wanted[k], 1e-12) << method << k;
   }
+}
+
+TEST(Express, GoesInAsManyPartsAsAskedFor) {
+  const Carried once("express: {STRIP: 0.3}");
+  EXPECT_EQ(once.report.increments, 1);
+  const Carried thrice("express: {STRIP: 0.3}\nsolver: {parts: 3}");
+  EXPECT_EQ(thrice.report.increments, 3);
+  EXPECT_TRUE(thrice.parts.empty()) << "no frames were asked for";
+  EXPECT_LT(distance(once.stepper.state(), thrice.stepper.state()), 1e-4);
+}
+
+TEST(Express, ShowsItsFramesHoweverManyPartsItGoesIn) {
+  const Carried carried("express: {STRIP: 0.3}\nsolver: {parts: 3}\noutput: {frames: 2}");
+  EXPECT_EQ(carried.report.increments, 4);
+  EXPECT_EQ(carried.parts, (std::vector<double>{0.0, 0.5, 1.0}));
 }
 
 TEST(Move, EndsSlowlyWhereTheExpressionEnds) {

@@ -118,6 +118,7 @@ struct SolverChoice {
   int max_increments = 400;                ///< increments of one step, failed ones counted
   double first_increment = 1.0;            ///< part of a step that is tried first
   double smallest_increment = 1.0 / 32.0;  ///< part of a step below which it is given up
+  int parts = 1;    ///< that steps express and open_jaw go in, each to its equilibrium
   int threads = 0;  ///< 0: as many as the machine has; results do not depend on it
 
   friend bool operator==(const SolverChoice&, const SolverChoice&) = default;

@@ -188,6 +188,13 @@ std::vector<Field> run_fields() {
         .minimum = 1e-6,
         .maximum = 1.0},
        [](Scenario& s) { return &s.solver.smallest_increment; }},
+      {"solver.parts",
+       {.doc = "Steps `express` and `open_jaw` go in at least this many equal parts, each to its "
+               "equilibrium. Tissue that folds can come to rest in more than one place; the finer "
+               "the parts, the surer it is the one that slowly driven muscles lead to.",
+        .minimum = 1,
+        .maximum = 240},
+       [](Scenario& s) { return &s.solver.parts; }},
       {"solver.threads",
        {.doc = "Threads; 0 takes all of the machine. Results do not depend on it.",
         .minimum = 0,

@@ -2,6 +2,7 @@
 #include "facies/scenario/stepper.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "facies/scenario/motion_model.hpp"
 
@@ -29,10 +30,23 @@ void Stepper::hold(const std::vector<Index>& unknowns) {
   if (!same) equilibrium_ = std::make_unique<solve::Equilibrium>(model_.model, unknowns);
 }
 
+namespace {
+
+/// The least multiple of the frames that is no less than the parts.
+int stops_for(int parts, int frames) {
+  return frames == 0 ? parts : frames * ((parts + frames - 1) / frames);
+}
+
+bool is_whole(double x) {
+  return std::abs(x - std::round(x)) < 1e-9;
+}
+
+}  // namespace
+
 /// `from` is a copy: the present controls, which it usually is, change on the way.
 solve::StepReport Stepper::drive(mechanics::Controls from, const mechanics::Controls& to,
                                  const solve::Increment& label, solve::Observer& observer,
-                                 const FrameListener& frame_reached) {
+                                 int parts, const FrameListener& frame_reached) {
   const int frames = frame_reached ? scenario_.output.frames : 0;
   if (frames > 0) frame_reached(0.0);
   std::vector<double> places;
@@ -40,10 +54,10 @@ solve::StepReport Stepper::drive(mechanics::Controls from, const mechanics::Cont
   for (const Index dof : equilibrium_->prescribed())
     places.push_back(model_.model.value_of(state_, dof));
   solve::StepSettings settings = step_settings(scenario_.solver);
-  settings.stops = std::max(frames, 1);
+  settings.stops = stops_for(parts, frames);
   const auto at_stop = [&](double part) {
     controls_ = mechanics::interpolate(from, to, part);
-    if (frames > 0) frame_reached(part);
+    if (frames > 0 && is_whole(frames * part)) frame_reached(part);
   };
   solve::StepReport report =
       solve::advance(*equilibrium_, state_, from, to, places, settings, label, observer, at_stop);
@@ -97,7 +111,7 @@ solve::StepReport Stepper::express(const ExpressStep& step, const solve::Increme
   for (std::size_t m = 0; m < model_.muscles.size(); ++m) {
     to.activation[m] = activation_of(step, model_.muscles[m].name, model_.muscles[m].group);
   }
-  return drive(controls_, to, label, observer, frame_reached);
+  return drive(controls_, to, label, observer, scenario_.solver.parts, frame_reached);
 }
 
 solve::StepReport Stepper::open_jaw(const OpenJawStep& step, const solve::Increment& label,
@@ -107,7 +121,7 @@ solve::StepReport Stepper::open_jaw(const OpenJawStep& step, const solve::Increm
   to.gravity = scenario_.gravity.vector();
   require(model_.face.jaw.has_value(), "names on the face have been checked");
   to.excitation = excite(*model_.face.jaw, step.excitations, controls_.excitation);
-  return drive(controls_, to, label, observer, frame_reached);
+  return drive(controls_, to, label, observer, scenario_.solver.parts, frame_reached);
 }
 
 namespace {

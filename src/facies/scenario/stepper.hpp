@@ -53,7 +53,7 @@ class Stepper {
                                                         const FrameListener& frame_reached);
   [[nodiscard]] solve::StepReport drive(mechanics::Controls from, const mechanics::Controls& to,
                                         const solve::Increment& label, solve::Observer& observer,
-                                        const FrameListener& frame_reached = {});
+                                        int parts = 1, const FrameListener& frame_reached = {});
   [[nodiscard]] solve::StepReport let_go(const mechanics::Controls& to,
                                          const solve::Increment& label, solve::Observer& observer);
   [[nodiscard]] std::vector<Vec3> holding_forces() const;
