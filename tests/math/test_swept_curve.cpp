@@ -99,6 +99,17 @@ TEST(SweptCurve, AnswersEverywhere) {
   }
 }
 
+TEST(SweptCurve, IsMetWhereItPasses) {
+  // s^2 / 20: points whose coordinates, and with them their distance, are exact.
+  const SweptCurve valley = swept_curve(0.0, 0.0, 20.0, -20.0, 0.0, 2.0);
+  for (const double s : {0.0, 2.5, 5.0, 10.0, 20.0}) {
+    const SurfaceView seen =
+        view(valley, {-s, 7.0, s * (valley.a1 + s * (valley.a2 + s * valley.a3))});
+    EXPECT_NEAR(seen.distance, 0.0, 1e-12) << "at " << s;
+    EXPECT_NEAR(seen.travel, s, 1e-9);
+  }
+}
+
 TEST(SmoothRamp, IsTheRampOutsideOfItsCornerAndNearItInside) {
   const double h = 0.3;
   for (double x = -2.0; x <= 2.0; x += 0.01) {

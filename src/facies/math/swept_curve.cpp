@@ -49,11 +49,11 @@ double nearest_travel(const SweptCurve& c, double s_p, double z_p) {
   while (true) {
     const Height h = cubic(c, s);
     const double g = slope_of_distance(h, s, s_p, z_p);
+    if (g == 0.0) return s;
     (g < 0.0 ? low : high) = s;
     double next = s - g / (1.0 + h.df * h.df + (h.f - z_p) * h.ddf);
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (g == 0.0 || std::abs(next - s) <= 1e-14 * c.travel || next <= low || next >= high)
-      return next;
+    if (std::abs(next - s) <= 1e-14 * c.travel || next <= low || next >= high) return next;
     s = next;
   }
 }
