@@ -98,6 +98,14 @@ class Column : public ::testing::Test {
     pressed_ = supports.prescribed();
   }
 
+  /// Pushed to one side by a thousandth of a millimetre, so that it knows where to buckle.
+  [[nodiscard]] State slightly_bent() const {
+    State state = column_.model.initial_state();
+    for (std::size_t node = 0; node < state.u.size(); ++node)
+      state.u[node].x() = 1e-3 * std::sin(0.15 * column_.mesh.X()[node].z());
+    return state;
+  }
+
   /// Sideways displacement of the middle of the top [mm].
   [[nodiscard]] double sway(const State& state) const {
     return state.u[at(column_.mesh.nodes("z_max")[0])].x();
@@ -116,9 +124,7 @@ class Column : public ::testing::Test {
 };
 
 TEST_F(Column, BucklesThroughIndefiniteTangents) {
-  State state = column_.model.initial_state();
-  for (std::size_t node = 0; node < state.u.size(); ++node)
-    state.u[node].x() = 1e-3 * std::sin(0.15 * column_.mesh.X()[node].z());
+  State state = slightly_bent();
   Heard heard;
   Equilibrium equilibrium(column_.model, pressed_.dofs);
   const NewtonReport report = equilibrium.solve(state, {}, pressed_.values, {}, heard.listen);
@@ -126,17 +132,7 @@ TEST_F(Column, BucklesThroughIndefiniteTangents) {
   EXPECT_TRUE(heard.met_indefinite) << "the case does not test what it should";
   EXPECT_GT(std::abs(sway(state)), 1.0);
   EXPECT_EQ(negative_eigenvalues(state), 0) << "a stable equilibrium";
-}
-
-TEST_F(Column, BucklesWithFewerFactorisationsThanIterations) {
-  State state = column_.model.initial_state();
-  for (std::size_t node = 0; node < state.u.size(); ++node)
-    state.u[node].x() = 1e-3 * std::sin(0.15 * column_.mesh.X()[node].z());
-  Heard heard;
-  Equilibrium equilibrium(column_.model, pressed_.dofs);
-  const NewtonReport report = equilibrium.solve(state, {}, pressed_.values, {}, heard.listen);
-  ASSERT_TRUE(report.converged) << report.reason;
-  EXPECT_GT(heard.without_factorisation, 0);
+  EXPECT_GT(heard.without_factorisation, 0) << "a factor is used again";
   EXPECT_LT(report.factorisations, report.iterations);
 }
 
@@ -159,9 +155,7 @@ TEST_F(Column, HasLessEnergyBentThanStraight) {
   EXPECT_LE(free_sideways.residual_norm(straight, {}), 1e-5);
   EXPECT_GT(negative_eigenvalues(straight), 0) << "an equilibrium that is not stable";
 
-  State bent = column_.model.initial_state();
-  for (std::size_t node = 0; node < bent.u.size(); ++node)
-    bent.u[node].x() = 1e-3 * std::sin(0.15 * column_.mesh.X()[node].z());
+  State bent = slightly_bent();
   const NewtonReport buckled = solve_equilibrium(column_.model, bent, {}, pressed_, exact);
   ASSERT_TRUE(buckled.converged) << buckled.reason;
   EXPECT_LT(column_.model.energy(bent, {}), 0.9 * column_.model.energy(straight, {}));

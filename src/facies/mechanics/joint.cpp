@@ -94,18 +94,20 @@ void Joint::bend(const State& from, std::span<const double> straight,
   const auto n_body_dofs = static_cast<Eigen::Index>(dofs_of_body * model_.bodies().size());
   if (n_body_dofs == 0) return;
   Eigen::Map<Eigen::VectorXd> bodies(increments.data() + 3 * model_.n_nodes(), n_body_dofs);
+  std::vector<double> meant;  // distances of guided points
+  for (std::size_t g = 0; g < guides_.size(); ++g) {
+    const SurfaceView seen = view(from, g);
+    meant.push_back(seen.distance +
+                    seen.normal.dot(way_of(model_, from, guides_[g].anchor, straight)));
+  }
   std::vector<bool> stopped(stops_.size(), false);
   constexpr int corrections = 4;
   for (int correction = 0; correction < corrections; ++correction) {
     const State to = model_.moved(from, increments, 1.0);
     Leads leads;
     for (std::size_t g = 0; g < guides_.size(); ++g) {
-      const Anchor& anchor = guides_[g].anchor;
-      const SurfaceView before = view(from, g);
-      const SurfaceView after = view(to, g);
-      const double meant =
-          before.distance + before.normal.dot(way_of(model_, from, anchor, straight));
-      add_lead(to, anchor, after.normal, meant - after.distance, leads);
+      const SurfaceView seen = view(to, g);
+      add_lead(to, guides_[g].anchor, seen.normal, meant[g] - seen.distance, leads);
     }
     for (std::size_t k = 0; k < stops_.size(); ++k) {
       const double missing = least_distance(distance(from, k)) - distance(to, k);
