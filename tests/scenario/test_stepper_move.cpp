@@ -87,7 +87,7 @@ TEST(ControlsInMove, BeginWhereTheyWereAndReachTheCurvesAfterATenth) {
   const Carried carried("move: {duration: 1 s, frames: 1, method: quasi_static, STRIP: 0.4}");
   const auto& step = std::get<MoveStep>(carried.scenario.steps[2]);
   mechanics::Controls before;
-  before.activation = {0.8};
+  before.activation = {0.8, 0.8};  // STRIP_L, STRIP_R
   const auto at = [&](double time) {
     return controls_in_move(*carried.model, step, {0, 0, -9800}, before, time);
   };

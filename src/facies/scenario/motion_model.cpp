@@ -44,6 +44,8 @@ solve::TimeSettings time_settings(const Scenario& scenario) {
 mechanics::Controls controls_in_move(const FaceModel& model, const MoveStep& step,
                                      const Vec3& gravity, const mechanics::Controls& before,
                                      double time) {
+  require(before.activation.size() == model.muscles.size(),
+          "controls have one activation per muscle");
   std::map<std::string, double> now;
   for (const auto& [name, curve] : step.levels)
     now[name] = curve.at(time);
