@@ -13,6 +13,7 @@ pkg_check_modules(PETSC REQUIRED IMPORTED_TARGET PETSc)
 set(MPI_CXX_SKIP_MPICXX TRUE)
 find_package(MPI REQUIRED COMPONENTS CXX)  # the headers of PETSc need those of MPI
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
+pkg_check_modules(LBFGS REQUIRED IMPORTED_TARGET liblbfgs)
 find_package(OpenMP COMPONENTS CXX)  # without it the loops run on one thread, with the same bits
 
 if(FACIES_BUILD_TESTS)
