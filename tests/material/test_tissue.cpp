@@ -115,6 +115,26 @@ TEST(TissueResponse, AddsUpFibreFamilies) {
   EXPECT_TRUE((both - none).isApprox((only_a - none) + (only_b - none), 1e-12));
 }
 
+TEST(TissueResponse, CountsAFibreByItsShareOfTheVolume) {
+  const auto law =
+      find_law("mooney_rivlin")->make({{"C10", 1.0}, {"C01", 0.0}, {"C20", 0.0}}, Mat3::Identity());
+  const FibreSpec& spec = *find_fibre_law("fibre_blemker2005");
+  const auto muscle = spec.make(spec.example, "sigma_max");
+  support::Random random(4);
+  const Fibre whole{muscle.get(), random.unit_vector(), 0.6};
+  const Fibre third{whole.law, whole.a0, whole.alpha, 1.0 / 3.0};
+  const Fibre rest{whole.law, whole.a0, whole.alpha, 2.0 / 3.0};
+  const Sym3<double> C = random.right_cauchy_green(0.3);
+  const Response one = distortional_response(*law, std::array{whole}, C);
+  const Response two = distortional_response(*law, std::array{third, rest}, C);
+  EXPECT_NEAR(two.psi, one.psi, 1e-12 * std::abs(one.psi));
+  EXPECT_TRUE(two.S.isApprox(one.S, 1e-12));
+  EXPECT_TRUE(two.C4.isApprox(one.C4, 1e-12));
+  EXPECT_NEAR(distortional_energy(*law, std::array{third, rest}, C), one.psi,
+              1e-12 * std::abs(one.psi));
+  EXPECT_TRUE(distortional_stress(*law, std::array{third, rest}, C).isApprox(one.S, 1e-12));
+}
+
 TEST(VolumetricResponse, IsAPressure) {
   const VolumetricSpec& spec = *find_volumetric_law("volumetric_log");
   const auto law = spec.make({{"kappa", 50.0}});

@@ -22,7 +22,8 @@ const std::vector<Vec3> roof_corners = {
     {0, 0, 0}, {4, 0, 0.3}, {4, 4, 0}, {0, 4, 0.5}, {8, 2, -0.4}};
 const std::vector<std::array<Index, 3>> roof = {{{0, 1, 2}}, {{0, 2, 3}}, {{1, 4, 2}}};
 
-enum class Surface { in_space, on_body, on_nodes };
+/// What the roof belongs to; the points belong to nodes, but to the body where that presses on a roof of nodes.
+enum class Surface { in_space, on_body, on_nodes, on_nodes_below_a_body };
 
 /// Points above a roof that belongs to space, to a body or to nodes.
 class PointsOnARoof : public ::testing::TestWithParam<Surface> {
@@ -40,16 +41,25 @@ class PointsOnARoof : public ::testing::TestWithParam<Surface> {
   [[nodiscard]] const Contact& add_contact(Model& model) const {
     std::vector<ContactPoint> points;
     for (Index node = 0; node < n_points; ++node)
-      points.push_back({Anchor::on_node(node, X_[at(node)]), 1.0 + 0.1 * node});
+      points.push_back({anchor_of(node), 1.0 + 0.1 * node});
     ContactSurface surface{"roof", {}, roof};
     for (std::size_t v = 0; v < roof_corners.size(); ++v) {
       const Vec3& X = roof_corners[v];
       if (GetParam() == Surface::in_space) surface.vertices.push_back(Anchor::in_space(X));
       if (GetParam() == Surface::on_body) surface.vertices.push_back(Anchor::on_body(0, X));
-      if (GetParam() == Surface::on_nodes)
-        surface.vertices.push_back(Anchor::on_node(n_points + to_index(v), X));
+      if (is_of_nodes()) surface.vertices.push_back(Anchor::on_node(n_points + to_index(v), X));
     }
     return model.add(std::make_unique<Contact>(model, points, surface, settings));
+  }
+
+  [[nodiscard]] bool is_of_nodes() const {
+    return GetParam() == Surface::on_nodes || GetParam() == Surface::on_nodes_below_a_body;
+  }
+
+  [[nodiscard]] Anchor anchor_of(Index point) const {
+    const Vec3& X = X_[at(point)];
+    return GetParam() == Surface::on_nodes_below_a_body ? Anchor::on_body(0, X)
+                                                        : Anchor::on_node(point, X);
   }
 
   [[nodiscard]] double energy(const State& state) const { return model_.energy(state, {}); }
@@ -139,28 +149,32 @@ TEST_P(PointsOnARoof, NeverPassInAStepOfAnySize) {
     std::vector<double> down(model_.n_dofs(), 0.0);
     for (Index node = 0; node < n_points; ++node)
       down[at(dof(node, 2))] = -way;
+    if (GetParam() == Surface::on_nodes_below_a_body) down[3 * model_.n_nodes() + 2] = -way;
     State state = state_;
     for (int step = 0; step < 50; ++step) {
       const double part = contact_->longest_step(state, model_.moved(state, down, 1.0));
       ASSERT_GE(part, 0.0);
       state = model_.moved(state, down, part);
-      for (std::size_t p = 0; p < 3; ++p)
-        ASSERT_GT(X_[p].z() + state.u[p].z(), -0.5) << "over the roof";
+      for (Index p = 0; p < 3; ++p)
+        ASSERT_GT(place_of(model_, state, anchor_of(p)).z(), -0.5) << "over the roof";
       ASSERT_TRUE(std::isfinite(energy(state)));
     }
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, PointsOnARoof,
-                         ::testing::Values(Surface::in_space, Surface::on_body, Surface::on_nodes),
+                         ::testing::Values(Surface::in_space, Surface::on_body, Surface::on_nodes,
+                                           Surface::on_nodes_below_a_body),
                          [](const auto& which) {
                            switch (which.param) {
                              case Surface::in_space:
                                return "space";
                              case Surface::on_body:
                                return "aBody";
-                             default:
+                             case Surface::on_nodes:
                                return "nodes";
+                             default:
+                               return "nodesBelowABody";
                            }
                          });
 
@@ -219,7 +233,7 @@ TEST_P(PointsOnARoof, AreFeltTheSameWhateverStatesWereLookedAtBefore) {
 }
 
 TEST_P(PointsOnARoof, CannotGoWhereTheRoofHasGoneAstray) {
-  if (GetParam() != Surface::on_nodes) GTEST_SKIP() << "only nodes can";
+  if (!is_of_nodes()) GTEST_SKIP() << "only nodes can";
   for (const double wild : {1e300, std::numeric_limits<double>::quiet_NaN()}) {
     for (std::size_t node = n_points; node < state_.u.size(); ++node) {
       State state = state_;
@@ -232,7 +246,7 @@ TEST_P(PointsOnARoof, CannotGoWhereTheRoofHasGoneAstray) {
 TEST_P(PointsOnARoof, HaveNoEnergyWhereATrialHasGoneAstray) {
   for (const double wild : {1e300, std::numeric_limits<double>::quiet_NaN()}) {
     State state = state_;
-    state.u[0].x() = wild;
+    (GetParam() == Surface::on_nodes_below_a_body ? state.bodies[0].u : state.u[0]).x() = wild;
     EXPECT_EQ(energy(state), std::numeric_limits<double>::infinity());
     std::vector<double> r(model_.n_dofs());
     EXPECT_FALSE(model_.residual(state, {}, r));

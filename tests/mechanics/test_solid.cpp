@@ -71,6 +71,25 @@ TEST_P(SolidOnABlock, WithPreStretchIsTheSmallerBlockStretched) {
   EXPECT_NEAR(scaled.model.energy(same_place, half_active), W, 1e-12 * std::abs(W));
 }
 
+TEST_P(SolidOnABlock, PullsWithTheShareOfAnElementThatIsFibre) {
+  const Vec3 a0 = Vec3(1, 2, 0.5).normalized();
+  SolidDescription shared = muscle_tissue(mesh_, Mat3::Identity(), a0);
+  FibreFamily rest = shared.fibres.front();
+  for (std::size_t k = 0; k < rest.elements.size(); ++k) {
+    const double share = (1.0 + static_cast<double>(k)) / (2.0 + static_cast<double>(k));
+    shared.fibres.front().shares.push_back(share);
+    rest.shares.push_back(1.0 - share);
+  }
+  shared.fibres.push_back(rest);
+  const SolidModel whole(mesh_, muscle_tissue(mesh_, Mat3::Identity(), a0));
+  const SolidModel parts(mesh_, shared);
+  const State state =
+      support::affine_state(mesh_, Vec3(1.1, 0.95, 1.0).asDiagonal(), {1, 2, 3}, 0.05);
+  const Eigen::VectorXd r = support::residual(whole.model, state, half_active);
+  EXPECT_LE(support::norm_of(r - support::residual(parts.model, state, half_active)),
+            1e-12 * support::norm_of(r));
+}
+
 TEST_P(SolidOnABlock, CarriesFibresBackWithThePreStretch) {
   // A fibre that lies along a0 in the mesh lies along F0^-1 a0 in the stress-free tissue, and F F0 brings it back.
   Mat3 F0;

@@ -15,11 +15,20 @@ double fibre_stretch(const Sym3<double>& C_bar, const Sym3<double>& A0) {
   return std::sqrt(double_dot(C_bar, A0));
 }
 
+/// What a fibre adds per volume of tissue.
+FibreResponse respond(const Fibre& fibre, double lambda_bar) {
+  FibreResponse f = fibre.law->respond(lambda_bar, fibre.alpha);
+  f.psi *= fibre.share;
+  f.dpsi_dlambda_bar *= fibre.share;
+  f.d2psi_dlambda_bar2 *= fibre.share;
+  return f;
+}
+
 /// Adds psi_f(lambda_bar) with lambda_bar^2 = C_bar : a0 (x) a0 and its derivatives by C_bar.
 void add_fibre(const Fibre& fibre, const Sym3<double>& C_bar, LawResponse& sum) {
   const Sym3<double> A0 = dyad(fibre.a0);
   const double lambda_bar = fibre_stretch(C_bar, A0);
-  const FibreResponse f = fibre.law->respond(lambda_bar, fibre.alpha);
+  const FibreResponse f = respond(fibre, lambda_bar);
   const double stress = f.dpsi_dlambda_bar / lambda_bar;
   const double stiffness = (f.d2psi_dlambda_bar2 - stress) / (lambda_bar * lambda_bar);
   const StressVoigt A0_voigt = stress_voigt(A0);
@@ -34,7 +43,7 @@ double distortional_energy(const Law& law, std::span<const Fibre> fibres, const 
   const Sym3<double> C_bar = scaled(C, distortional_factor(C));
   double psi = law.energy(C_bar);
   for (const Fibre& fibre : fibres) {
-    psi += fibre.law->respond(fibre_stretch(C_bar, dyad(fibre.a0)), fibre.alpha).psi;
+    psi += respond(fibre, fibre_stretch(C_bar, dyad(fibre.a0))).psi;
   }
   return psi;
 }
@@ -47,8 +56,7 @@ StressVoigt distortional_stress(const Law& law, std::span<const Fibre> fibres,
   for (const Fibre& fibre : fibres) {
     const Sym3<double> A0 = dyad(fibre.a0);
     const double lambda_bar = fibre_stretch(C_bar, A0);
-    S_bar += (fibre.law->respond(lambda_bar, fibre.alpha).dpsi_dlambda_bar / lambda_bar) *
-             stress_voigt(A0);
+    S_bar += (respond(fibre, lambda_bar).dpsi_dlambda_bar / lambda_bar) * stress_voigt(A0);
   }
   return g * (S_bar - (S_bar.dot(strain_voigt(C)) / 3.0) * stress_voigt(inverse(C)));
 }

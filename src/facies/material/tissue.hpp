@@ -8,11 +8,12 @@
 
 namespace facies::material {
 
-/// One fibre family at a point: its law, unit reference direction and activation (0..1).
+/// One fibre family at a point: its law, unit reference direction, activation (0..1), and how much of the volume there is fibre.
 struct Fibre {
   const FibreLaw* law = nullptr;
   Vec3 a0 = Vec3::UnitX();
   double alpha = 0.0;
+  double share = 1.0;
 };
 
 /// Second Piola-Kirchhoff stress and its tangent.
@@ -22,7 +23,7 @@ struct Response {
   Mat6 C4;           ///< 2 dS/dC = dS/dE [kPa]
 };
 
-/// psi(C_bar) + sum psi_f of the distortional part of C [kPa].
+/// psi(C_bar) + sum share psi_f of the distortional part of C [kPa].
 [[nodiscard]] double distortional_energy(const Law& law, std::span<const Fibre> fibres,
                                          const Sym3<double>& C);
 

@@ -29,6 +29,8 @@ void check_description(const mesh::Mesh& mesh, const SolidDescription& descripti
   for (const FibreFamily& family : description.fibres) {
     require(family.directions.size() == family.elements.size(),
             "a fibre family has one direction per element");
+    require(family.shares.empty() || family.shares.size() == family.elements.size(),
+            "a fibre family has one share per element or none");
     require(family.muscle >= 0, "a fibre family belongs to a muscle");
     for (const Index e : family.elements) {
       require(e >= 0 && at(e) < mesh.n_elements(), "a fibre family names an element that exists");
@@ -82,7 +84,8 @@ void Solid::sort_fibres() {
       const auto e = at(family.elements[k]);
       Vec3 a0 = family.directions[k];
       if (!description_.F0.empty()) a0 = (description_.F0[e].inverse() * a0).normalized();
-      of_element[e].push_back({family.law.get(), a0, family.muscle});
+      const double share = family.shares.empty() ? 1.0 : family.shares[k];
+      of_element[e].push_back({family.law.get(), a0, family.muscle, share});
     }
   }
   Problems problems;
@@ -104,7 +107,7 @@ ElementView Solid::view(Index e, const Controls& controls, FibreBuffer& buffer) 
   const std::size_t n_fibres = fibre_begin_[at(e) + 1] - fibre_begin_[at(e)];
   for (std::size_t k = 0; k < n_fibres; ++k) {
     const FibreOfElement& fibre = fibres_[fibre_begin_[at(e)] + k];
-    buffer[k] = {fibre.law, fibre.a0, controls.activation[at(fibre.muscle)]};
+    buffer[k] = {fibre.law, fibre.a0, controls.activation[at(fibre.muscle)], fibre.share};
   }
   const std::size_t begin = point_begin_[at(e)];
   return {{points_.data() + begin, point_begin_[at(e) + 1] - begin},

@@ -17,7 +17,8 @@ struct FibreFamily {
   std::shared_ptr<const material::FibreLaw> law;
   Index muscle = -1;  ///< position in Controls::activation
   std::vector<Index> elements;
-  std::vector<Vec3> directions;  ///< unit, one per element, in the mesh configuration
+  std::vector<Vec3> directions;     ///< unit, one per element, in the mesh configuration
+  std::vector<double> shares = {};  ///< of each element's volume that is fibre; empty: all of it
 };
 
 /// What a solid is made of. Laws are shared by the elements that use them.
@@ -61,6 +62,7 @@ class Solid final : public Term {
     const material::FibreLaw* law = nullptr;
     Vec3 a0;
     Index muscle = -1;
+    double share = 1.0;
   };
 
   void measure_points();
