@@ -203,8 +203,8 @@ class SyntheticFace {
           "rm,right,masseter,skull,30,10,50,jaw,30,10,15,190.4,30,40,0.46,0.015,1,s\n");
     write(tables() / "jaw-exciters.csv", "name,meaning,muscles,source\nclose,closers,rm lm,s\n");
     write(tables() / "jaw-surfaces.csv",
-          "name,meaning,bone,kind,file,scale,closed,source\njaw,m,jaw,solid,face/geometry/"
-          "jaw.obj,1000,1,s\n");
+          "name,meaning,bone,kind,file,scale,closed,presses,source\njaw,m,jaw,solid,face/geometry/"
+          "jaw.obj,1000,1,0,s\n");
     write(tables() / "jaw-crowns.csv",
           "surface,normal_x,normal_y,normal_z,offset_mm,back_mm,source\njaw,0,0,1,18,20,s\n");
   }

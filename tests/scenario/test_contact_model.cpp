@@ -5,11 +5,13 @@
 #include <utility>
 
 #include "mesh/surfaces.hpp"
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "facies/anatomy/sources.hpp"
 #include "facies/mesh/nearest.hpp"
 #include "facies/mesh/surface.hpp"
+#include "facies/scenario/bone_points.hpp"
 #include "facies/scenario/contact_model.hpp"
 #include "facies/scenario/folders.hpp"
 #include "facies/scenario/read_scenario.hpp"
@@ -261,6 +263,61 @@ TEST(ResolveOverlaps, TakesTissueFromBehindAnOpenSheetButNotFromBesideIt) {
   }
   EXPECT_GT(n_behind, 2);
   EXPECT_GT(n_beside, 2);
+}
+
+/// A patch of skin, and below the middle of it a bone with four faces whose tip looks up.
+class PatchOverATip : public ::testing::Test {
+ protected:
+  [[nodiscard]] mechanics::ContactSurface tip(double depth) const {
+    const std::span<const Index> nodes = face_.mesh.nodes("inner");
+    double inwards = -1e9;  // +x is inwards
+    for (const Index node : nodes)
+      inwards = std::max(inwards, face_.mesh.X()[at(node)].x());
+    const Vec3 top(inwards + depth, 0.7, 0.4);
+    mechanics::ContactSurface bone{"bone", {}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+    for (const Vec3& way : {Vec3(0, 0, 0), Vec3(6, 3, 0), Vec3(6, -2, 2), Vec3(6, -2, -2)})
+      bone.vertices.push_back(mechanics::Anchor::in_space(top + way));
+    return bone;
+  }
+
+  anatomy::FaceAnatomy face_ = anatomy::load_face("patch", data_folder());
+};
+
+TEST_F(PatchOverATip, IsPressedByAllVerticesWhichShareTheAreaOfTheBone) {
+  const mechanics::ContactSurface bone = tip(2.0);
+  const auto points = bone_points(face_.mesh, {}, bone, 1.0);
+  ASSERT_EQ(points.size(), 4U);
+  double expected = 0.0;
+  for (const auto& [a, b, c] : bone.triangles) {
+    expected += 0.5 * (bone.vertices[at(b)].X - bone.vertices[at(a)].X)
+                          .cross(bone.vertices[at(c)].X - bone.vertices[at(a)].X)
+                          .norm();
+  }
+  double area = 0.0;
+  for (const mechanics::ContactPoint& point : points)
+    area += point.area;
+  EXPECT_NEAR(area, expected, 1e-12 * expected);
+}
+
+TEST_F(PatchOverATip, IsNotPressedByAVertexThatBeginsInItOrTooNear) {
+  EXPECT_EQ(bone_points(face_.mesh, {}, tip(-0.5), 1.0).size(), 3U);
+  EXPECT_EQ(bone_points(face_.mesh, {}, tip(0.2), 1.0).size(), 3U);
+  EXPECT_EQ(bone_points(face_.mesh, {}, tip(0.4), 1.0).size(), 4U);
+}
+
+TEST_F(PatchOverATip, IsPressedWhereItsNodesGoFirst) {
+  const std::vector<Vec3> outwards(face_.mesh.n_nodes(), Vec3(-1.0, 0.0, 0.0));
+  EXPECT_EQ(bone_points(face_.mesh, outwards, tip(-0.5), 1.0).size(), 4U);
+}
+
+TEST_F(PatchOverATip, HasAnInnerSurfaceThatLooksInwards) {
+  const mechanics::ContactSurface inner = inner_surface(face_.mesh, "inner");
+  EXPECT_EQ(inner.vertices.size(), face_.mesh.nodes("inner").size());
+  for (const auto& [a, b, c] : inner.triangles) {
+    const Vec3 normal = (inner.vertices[at(b)].X - inner.vertices[at(a)].X)
+                            .cross(inner.vertices[at(c)].X - inner.vertices[at(a)].X);
+    EXPECT_GT(normal.x(), 0.0);
+  }
 }
 
 }  // namespace

@@ -95,8 +95,9 @@ struct BoneSurface {
   Index bone = -1;
   SurfaceKind kind = SurfaceKind::solid;
   std::filesystem::path file;
-  double scale = 1.0;             ///< from the file's unit to mm
-  bool closed = false;            ///< it encloses the bone, without a border
+  double scale = 1.0;    ///< from the file's unit to mm
+  bool closed = false;   ///< it encloses the bone, without a border
+  bool presses = false;  ///< with its own vertices on the tissue, not only the tissue's nodes on it
   mesh::TriangleSurface surface;  ///< as read (read_bone_surface); empty for a cast
 };
 

@@ -349,8 +349,8 @@ SurfaceKind read_kind(const Row& row) {
 
 void read_surfaces(const fs::path& path, Jaw& jaw, Problems& problems) {
   std::vector<std::string> names;
-  for_each_row(path, {"name", "meaning", "bone", "kind", "file", "scale", "closed"}, problems,
-               [&](const Row& row) {
+  for_each_row(path, {"name", "meaning", "bone", "kind", "file", "scale", "closed", "presses"},
+               problems, [&](const Row& row) {
                  BoneSurface surface;
                  surface.name = row.name(names);
                  surface.meaning = row.text("meaning");
@@ -359,6 +359,7 @@ void read_surfaces(const fs::path& path, Jaw& jaw, Problems& problems) {
                  surface.file = row.text("file");
                  surface.scale = row.positive("scale");
                  surface.closed = row.flag("closed");
+                 surface.presses = row.flag("presses");
                  if (surface.file.empty()) row.refuse("file", "no file", "the file of the surface");
                  jaw.surfaces.push_back(std::move(surface));
                });

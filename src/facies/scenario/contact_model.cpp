@@ -3,6 +3,7 @@
 
 #include "facies/anatomy/face_anatomy.hpp"
 #include "facies/mesh/surface.hpp"
+#include "facies/scenario/bone_points.hpp"
 
 namespace facies::scenario {
 
@@ -18,8 +19,15 @@ BoneObstacle bone_of(const anatomy::Jaw& jaw, const SettledJaw& settled,
   for (const Vec3& X : bone.surface.X)
     obstacle.surface.vertices.push_back(anchor_of(jaw, settled, {bone.bone, X}));
   obstacle.closed = bone.closed;
+  obstacle.presses = bone.presses;
   obstacle.where = bone.file.string();
   return obstacle;
+}
+
+/// Tissue lies on the bones of the jaws; the hyoid is away from it.
+bool is_met(const anatomy::Jaw& jaw, const anatomy::BoneSurface& surface) {
+  const std::string& bone = jaw.bones[at(surface.bone)].name;
+  return bone == "jaw" || bone == "maxilla";
 }
 
 /// The part of the inner surface that lies on bone, moved inwards.
@@ -61,9 +69,9 @@ std::vector<BoneObstacle> bone_obstacles(const anatomy::FaceAnatomy& face,
                                          const SettledJaw* settled, const ContactChoice& choice) {
   std::vector<BoneObstacle> obstacles;
   if (choice.bones && face.jaw && settled != nullptr) {
-    for (const char* name : {"jaw", "maxilla"}) {
-      const anatomy::BoneSurface* bone = anatomy::find_named(face.jaw->surfaces, name);
-      if (bone != nullptr) obstacles.push_back(bone_of(*face.jaw, *settled, *bone));
+    for (const anatomy::BoneSurface& bone : face.jaw->surfaces) {
+      if (bone.kind != anatomy::SurfaceKind::solid) continue;
+      if (is_met(*face.jaw, bone)) obstacles.push_back(bone_of(*face.jaw, *settled, bone));
     }
   }
   const bool has_stand_in = face.mesh.face_sets().contains("on_bone");
@@ -96,6 +104,11 @@ ContactTerms add_contacts(mechanics::Model& model, const anatomy::FaceAnatomy& f
     const Points points = inner_points(face, left_out);
     terms.start = resolve_overlaps(face, points, obstacles, choice.distance);
     for (BoneObstacle& obstacle : obstacles) {
+      if (obstacle.presses) {
+        terms.contacts.push_back(&model.add(std::make_unique<mechanics::Contact>(
+            model, bone_points(face.mesh, terms.start, obstacle.surface, choice.distance),
+            inner_surface(face.mesh, "edges of the " + obstacle.surface.name), settings)));
+      }
       terms.contacts.push_back(&model.add(std::make_unique<mechanics::Contact>(
           model, points, std::move(obstacle.surface), settings)));
     }

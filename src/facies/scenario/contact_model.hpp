@@ -29,7 +29,8 @@ struct ContactTerms {
 };
 
 /// Adds what the choice asks for: tissue against bones, where nodes of `left_out` (held, or tied to the jaw) take no part,
-/// and the face set "mouth" against itself. Throws as bone_obstacles and resolve_overlaps.
+/// the vertices of bones that press against the inner surface, and the face set "mouth" against itself. Throws as
+/// bone_obstacles and resolve_overlaps.
 ContactTerms add_contacts(mechanics::Model& model, const anatomy::FaceAnatomy& face,
                           const SettledJaw* settled, const ContactChoice& choice,
                           const std::set<Index>& left_out, int threads);

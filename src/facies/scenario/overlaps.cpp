@@ -176,8 +176,10 @@ Place find_place(const std::vector<PlacedBone>& bones, std::span<const Vec3> X, 
   std::span<const Index> rest = way;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     place.in_the_way = push_out(bones, distance, place.x);
-    if (!place.in_the_way.empty()) return place;
-    const std::optional<Exit> exit = last_exit(bones, X, rest, place.x);
+    // Between bones that run through each other the shortest ways lead to and fro: then along the way, from the beginning.
+    const bool is_caught = !place.in_the_way.empty();
+    if (is_caught && place.was_on_far_side) return place;
+    const std::optional<Exit> exit = last_exit(bones, X, rest, is_caught ? x : place.x);
     if (!exit) return place;
     place.x = exit->x;
     place.was_on_far_side = true;

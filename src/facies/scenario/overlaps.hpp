@@ -18,8 +18,9 @@ struct BoneObstacle {
   mechanics::ContactSurface surface;
   /// Inner nodes of the tissue begin on the side that the triangles look to, and are put there where they do not.
   bool pushes_out = true;
-  bool closed = true;  ///< it encloses the bone, without a border
-  std::string where;   ///< the file that it comes from, for messages
+  bool closed = true;    ///< it encloses the bone, without a border
+  bool presses = false;  ///< tissue may not pass its vertices either (bone_points)
+  std::string where;     ///< the file that it comes from, for messages
 };
 
 /// By how much farther than the contact distance something is put away from a bone, so that rounding leaves no force.
