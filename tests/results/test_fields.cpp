@@ -91,8 +91,8 @@ TEST_F(Fields, OfBonesStandBesideThoseOfTissue) {
   subject.bodies = {{"jaw", Vec3::Zero(), 1.0, Mat3::Identity()}};
   const mesh::TriangleSurface triangle{{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()},
                                        {std::array<Index, 3>{0, 1, 2}}};
-  subject.bones = {{"jaw", true, 0, triangle, {true, true, true}},
-                   {"maxilla", true, -1, triangle, {true, false, true}}};
+  subject.bones = {{"jaw", "lower jaw", true, 0, triangle, {true, true, true}},
+                   {"maxilla", "upper jaw", true, -1, triangle, {true, false, true}}};
   FieldWriter writer(subject, folder_);
   Snapshot snapshot = sheet_.affine("release", 2, Mat3::Identity(), Vec3::Zero());
   snapshot.state.bodies = {{Vec3(0.0, 0.0, 1.0), Mat3::Identity()}};

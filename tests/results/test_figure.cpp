@@ -54,11 +54,51 @@ TEST(Figure, SaysWhatColoursMeanAndIsWideEnoughForIt) {
                 {}};
   const Image without = read_png(to_png(figure), "a.png");
   EXPECT_GT(without.width, 600);
-  figure.legend = {{{1.0F, 0.0F, 0.0F}, "red"}, {{0.0F, 0.0F, 1.0F}, "blue"}};
+  figure.legend = {{Colour{1.0F, 0.0F, 0.0F}, "red"}, {Colour{0.0F, 0.0F, 1.0F}, "blue"}};
   const Image with = read_png(to_png(figure), "b.png");
   EXPECT_GT(with.height, without.height);
   EXPECT_EQ(count(with, 255, 0, 0), 18 * 18);
   EXPECT_EQ(count(with, 0, 0, 255), 18 * 18);
+}
+
+TEST(Figure, PutsALegendThatIsTooLongIntoColumns) {
+  Figure figure{"", "", {{{filled(200, 50, 255, 255, 255), "", {}}}}, 0.0, {}};
+  figure.legend = {{Colour{1.0F, 0.0F, 0.0F}, "a long name of something red"},
+                   {Colour{0.0F, 0.0F, 1.0F}, "a long name of something blue"},
+                   {{}, "a remark"}};
+  const Image page = read_png(to_png(figure), "a.png");
+  EXPECT_LT(page.width, 400);
+  const auto top_of = [&](std::uint8_t r, std::uint8_t b) {
+    for (int row = 0; row < page.height; ++row) {
+      for (int column = 0; column < page.width; ++column) {
+        const std::uint8_t* p = page.rgb.data() + page.place(column, row);
+        if (p[0] == r && p[1] == 0 && p[2] == b) return row;
+      }
+    }
+    return -1;
+  };
+  EXPECT_EQ(count(page, 255, 0, 0), 18 * 18);
+  EXPECT_EQ(top_of(0, 255) - top_of(255, 0), 27);
+}
+
+TEST(Figure, DrawsLinesWhereTheyAre) {
+  Panel panel{filled(100, 100, 255, 255, 255), "caption", {}};
+  panel.strokes = {{{{10.0, 50.5}, {90.0, 50.5}}, {0.0F, 0.0F, 1.0F}, 1.0},
+                   {{{10.0, 20.5}, {90.0, 20.5}}, {0.0F, 0.0F, 1.0F}, 1.0}};
+  const Image page = read_png(to_png({"title", "", {{panel}}, 0.0, {}}), "a.png");
+  // Whole pixels of two lines; their round ends are mixed with the page.
+  EXPECT_NEAR(count(page, 0, 0, 255), 160, 4);
+}
+
+TEST(Figure, MakesRoomForNamesBesideAnImage) {
+  Panel panel{filled(100, 100, 10, 200, 30), "", {}};
+  const Image without = read_png(to_png({"", "", {{panel, panel}}, 0.0, {}}), "a.png");
+  panel.callouts = {{20.0, 50.0, "LEFT"}, {80.0, 50.0, "A LONGER ONE"}};
+  const Image with = read_png(to_png({"", "", {{panel, panel}}, 0.0, {}}), "b.png");
+  EXPECT_GT(with.width, without.width + 2 * 100);
+  EXPECT_EQ(with.height, without.height);
+  // Lines and dots cover little of the images.
+  EXPECT_GT(count(with, 10, 200, 30), 2 * 100 * 100 * 9 / 10);
 }
 
 TEST(Figure, HasAScaleBarOfARoundLength) {

@@ -101,6 +101,30 @@ TEST_F(Folder, TakesFoldersAndLinksInsideForForeign) {
   EXPECT_TRUE(fs::exists(folder_ / "elsewhere.csv"));
 }
 
+TEST_F(Folder, OfPicturesOfAFaceHoldsNothingElse) {
+  prepare_picture_folder(out_, false);
+  EXPECT_TRUE(fs::is_empty(out_));
+  prepare_picture_folder(out_, false);
+  write_file(out_ / "bones.png", "x");
+  write_file(out_ / "skin.png.part", "killed while writing");
+  EXPECT_THAT(refusal([&] { prepare_picture_folder(out_, false); }),
+              HasSubstr("holds pictures of a face; expected an empty or new folder"));
+  EXPECT_EQ(n_files(out_), 2U);
+  prepare_picture_folder(out_, true);
+  EXPECT_TRUE(fs::is_empty(out_));
+  write_file(out_ / "holiday.png", "x");
+  EXPECT_THAT(refusal([&] { prepare_picture_folder(out_, true); }),
+              HasSubstr("something that facies info did not write: holiday.png"));
+  EXPECT_EQ(n_files(out_), 1U);
+}
+
+TEST_F(Folder, OfARunIsNoneForPictures) {
+  fill();
+  EXPECT_THAT(refusal([&] { prepare_picture_folder(out_, true); }),
+              HasSubstr("that facies info did not write"));
+  EXPECT_EQ(n_files(out_), 4U);
+}
+
 TEST_F(Folder, IsNotAFile) {
   write_file(out_, "x");
   EXPECT_THAT(refusal([&] { prepare_folder(out_, true); }), HasSubstr("is a file"));

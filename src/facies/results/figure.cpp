@@ -108,6 +108,81 @@ void write(cairo_t* pen, double x, double y, const std::string& text, Align alig
   cairo_show_text(pen, text.c_str());
 }
 
+/// How wide text comes out.
+double text_width(const std::string& text, const TextStyle& style) {
+  const Canvas canvas = make_canvas(1, 1);
+  const Pen pen(cairo_create(canvas.get()));
+  choose_font(pen.get());
+  write(pen.get(), 0.0, 0.0, text, Align::left, style);
+  double end = 0.0;
+  cairo_get_current_point(pen.get(), &end, nullptr);
+  return end;
+}
+
+/// Names of callouts, how far they stand from the image, and the room that one takes.
+const TextStyle callout_style{14.0, 0.1, true, false};
+constexpr double callout_distance = 8.0;
+constexpr double callout_spacing = 17.0;
+
+std::vector<CalloutPlace> callouts_of(const Panel& panel) {
+  return place_callouts(panel.callouts, panel.image.width, panel.image.height, callout_spacing);
+}
+
+/// What a panel takes of a row: its image, with names of callouts to either side.
+struct Extent {
+  double left = 0.0, right = 0.0;  ///< of the image
+  double width = 0.0;              ///< of everything
+};
+
+Extent extent_of(const Panel& panel) {
+  Extent extent;
+  for (const CalloutPlace& place : callouts_of(panel)) {
+    double& side = place.is_left ? extent.left : extent.right;
+    side = std::max(side, std::ceil(callout_distance +
+                                    text_width(panel.callouts[place.dot].label, callout_style)));
+  }
+  extent.width = extent.left + panel.image.width + extent.right;
+  return extent;
+}
+
+void set_colour(cairo_t* pen, const Colour& colour) {
+  cairo_set_source_rgb(pen, double{colour.r}, double{colour.g}, double{colour.b});
+}
+
+void draw_strokes(cairo_t* pen, double x, double y, const std::vector<Stroke>& strokes) {
+  cairo_set_line_cap(pen, CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_join(pen, CAIRO_LINE_JOIN_ROUND);
+  for (const Stroke& stroke : strokes) {
+    cairo_new_path(pen);  // text leaves a point behind
+    for (const Eigen::Vector2d& point : stroke.points)
+      cairo_line_to(pen, x + point.x(), y + point.y());
+    set_colour(pen, stroke.colour);
+    cairo_set_line_width(pen, stroke.width);
+    cairo_stroke(pen);
+  }
+}
+
+void draw_callouts(cairo_t* pen, double x, double y, const Panel& panel) {
+  for (const CalloutPlace& place : callouts_of(panel)) {
+    const Dot& dot = panel.callouts[place.dot];
+    const double edge =
+        place.is_left ? x - callout_distance / 2.0 : x + panel.image.width + callout_distance / 2.0;
+    for (const auto& [grey, width] : {std::pair{1.0, 2.6}, std::pair{0.15, 0.9}}) {
+      cairo_move_to(pen, edge, y + place.row);
+      cairo_line_to(pen, x + dot.column, y + dot.row);
+      cairo_set_source_rgba(pen, grey, grey, grey, grey < 0.5 ? 1.0 : 0.6);
+      cairo_set_line_width(pen, width);
+      cairo_stroke(pen);
+    }
+    cairo_new_path(pen);
+    cairo_arc(pen, x + dot.column, y + dot.row, 2.6, 0.0, 2.0 * std::numbers::pi);
+    cairo_fill(pen);
+    write(pen, place.is_left ? edge - 0.5 * callout_distance : edge + 0.5 * callout_distance,
+          y + place.row + 0.35 * callout_style.size, dot.label,
+          place.is_left ? Align::right : Align::left, callout_style);
+  }
+}
+
 void draw_dots(cairo_t* pen, double x, double y, const std::vector<Dot>& dots) {
   for (const Dot& dot : dots) {
     cairo_new_sub_path(pen);
@@ -142,6 +217,8 @@ void draw_panel(cairo_t* pen, double x, double y, const Panel& panel) {
   const Canvas picture = to_canvas(panel.image);
   cairo_set_source_surface(pen, picture.get(), x, y);
   cairo_paint(pen);
+  draw_strokes(pen, x, y, panel.strokes);
+  draw_callouts(pen, x, y, panel);
   draw_dots(pen, x, y, panel.dots);
   write(pen, x + 0.5 * panel.image.width, y + panel.image.height + text_size, panel.caption,
         Align::middle, {});
@@ -171,17 +248,48 @@ void draw_colour_bar(cairo_t* pen, double x, double y, double height, const Colo
   }
 }
 
-void draw_legend(cairo_t* pen, double x, double y, const std::vector<LegendEntry>& legend) {
+/// Where the entries of a legend stand: columns of one width, or one line of whatever they take.
+struct LegendLayout {
+  std::vector<double> columns;  ///< where each begins; in one line one for each entry
+  std::size_t n_rows = 0;
+};
+
+double entry_width(const LegendEntry& entry) {
+  return (entry.colour ? swatch + 8.0 : 0.0) + text_width(entry.label, {});
+}
+
+LegendLayout lay_out(const std::vector<LegendEntry>& legend, double width) {
+  LegendLayout layout{{}, legend.empty() ? 0U : 1U};
+  double end = 0.0;
+  double widest = 0.0;
   for (const LegendEntry& entry : legend) {
-    const Colour& colour = entry.colour;
-    cairo_rectangle(pen, x, y, swatch, swatch);
-    cairo_set_source_rgb(pen, double{colour.r}, double{colour.g}, double{colour.b});
-    cairo_fill(pen);
-    cairo_move_to(pen, 0.0, 0.0);
-    write(pen, x + swatch + 8.0, y + 0.8 * swatch, entry.label, Align::left, {});
-    double end = 0.0;
-    cairo_get_current_point(pen, &end, nullptr);
-    x = std::round(end) + 2.0 * gap;
+    layout.columns.push_back(std::round(end));
+    end += entry_width(entry) + 2.0 * gap;
+    widest = std::max(widest, entry_width(entry) + 2.0 * gap);
+  }
+  if (end - 2.0 * gap <= width) return layout;
+  const double fitting = std::max(1.0, std::floor((width + 2.0 * gap) / widest));
+  layout.n_rows = static_cast<std::size_t>(std::ceil(static_cast<double>(legend.size()) / fitting));
+  const std::size_t n_columns = (legend.size() + layout.n_rows - 1) / layout.n_rows;
+  layout.columns.clear();
+  for (std::size_t c = 0; c < n_columns; ++c)
+    layout.columns.push_back(std::round(static_cast<double>(c) * widest));
+  return layout;
+}
+
+/// Column by column, each from the top.
+void draw_legend(cairo_t* pen, double x, double y, const std::vector<LegendEntry>& legend,
+                 const LegendLayout& layout) {
+  for (std::size_t i = 0; i < legend.size(); ++i) {
+    double left = x + layout.columns[i / layout.n_rows];
+    const double top = y + std::round(line * swatch) * static_cast<double>(i % layout.n_rows);
+    if (legend[i].colour) {
+      cairo_rectangle(pen, left, top, swatch, swatch);
+      set_colour(pen, *legend[i].colour);
+      cairo_fill(pen);
+      left += swatch + 8.0;
+    }
+    write(pen, left, top + 0.8 * swatch, legend[i].label, Align::left, {});
   }
 }
 
@@ -195,7 +303,7 @@ double row_height(const std::vector<Panel>& row) {
 double row_width(const std::vector<Panel>& row) {
   double width = -gap;
   for (const Panel& panel : row)
-    width += panel.image.width + gap;
+    width += extent_of(panel).width + gap;
   return width;
 }
 
@@ -217,24 +325,13 @@ cairo_status_t take(void* reader, unsigned char* bytes, unsigned int n) {
   return CAIRO_STATUS_SUCCESS;
 }
 
-/// How wide text comes out.
-double text_width(const std::string& text, const TextStyle& style) {
-  const Canvas canvas = make_canvas(1, 1);
-  const Pen pen(cairo_create(canvas.get()));
-  choose_font(pen.get());
-  write(pen.get(), 0.0, 0.0, text, Align::left, style);
-  double end = 0.0;
-  cairo_get_current_point(pen.get(), &end, nullptr);
-  return end;
-}
-
-/// What stands above and below the rows: title, small print, legend.
+/// What stands above and below the rows: title, small print, and at least one entry of the legend.
 double head_and_foot_width(const Figure& figure) {
-  double legend = 0.0;
+  double width =
+      std::max(text_width(figure.title, title_style), text_width(figure.subtitle, small_print));
   for (const LegendEntry& entry : figure.legend)
-    legend += swatch + 8.0 + text_width(entry.label, {}) + 2.0 * gap + 1.0;
-  return std::max(
-      {text_width(figure.title, title_style), text_width(figure.subtitle, small_print), legend});
+    width = std::max(width, entry_width(entry));
+  return width;
 }
 
 }  // namespace
@@ -248,7 +345,10 @@ std::string to_png(const Figure& figure) {
   }
   width = std::max(width, std::ceil(head_and_foot_width(figure)));
   const double head = std::round(line * (title_size + text_size) + gap);
-  const double foot = figure.legend.empty() ? 0.0 : std::round(line * swatch + gap);
+  const LegendLayout legend = lay_out(figure.legend, width);
+  const double foot = figure.legend.empty()
+                          ? 0.0
+                          : std::round(line * swatch) * static_cast<double>(legend.n_rows) + gap;
   const double page_width = 2.0 * margin + width + (figure.bar ? bar_column : 0.0);
   const Canvas page = make_canvas(static_cast<int>(page_width),
                                   static_cast<int>(2.0 * margin + head + height + foot));
@@ -264,8 +364,9 @@ std::string to_png(const Figure& figure) {
   for (const auto& row : figure.rows) {
     double x = margin;
     for (const Panel& panel : row) {
-      draw_panel(pen.get(), x, y, panel);
-      x += panel.image.width + gap;
+      const Extent extent = extent_of(panel);
+      draw_panel(pen.get(), x + extent.left, y, panel);
+      x += extent.width + gap;
     }
     y += row_height(row);
   }
@@ -276,7 +377,7 @@ std::string to_png(const Figure& figure) {
     draw_colour_bar(pen.get(), margin + width + 2.0 * gap, std::round(y - 0.9 * last), 0.7 * last,
                     *figure.bar);
   }
-  draw_legend(pen.get(), margin, y + gap, figure.legend);
+  draw_legend(pen.get(), margin, y + gap, figure.legend, legend);
   check(cairo_status(pen.get()));
   std::string png;
   check(cairo_surface_write_to_png_stream(page.get(), append, &png));

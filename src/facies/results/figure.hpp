@@ -6,14 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "facies/results/callouts.hpp"
 #include "facies/results/render.hpp"
 
 namespace facies::results {
 
-/// A marked point of a panel.
-struct Dot {
-  double column = 0.0, row = 0.0;  ///< in pixels of the panel's image
-  std::string label;
+/// A line on a panel.
+struct Stroke {
+  std::vector<Eigen::Vector2d> points;  ///< column and row in pixels of the panel's image
+  Colour colour;
+  double width = 1.0;  ///< [pixels]
 };
 
 struct Panel {
@@ -21,6 +23,8 @@ struct Panel {
   std::string caption;
   std::vector<Dot> dots;
   double mm_per_pixel = 0.0;  ///< a scale bar is drawn below the panel where it is positive
+  std::vector<Stroke> strokes = {};
+  std::vector<Dot> callouts = {};  ///< named beside the image, each tied to its point by a line
 };
 
 struct ColourBar {
@@ -28,9 +32,9 @@ struct ColourBar {
   std::string label;  ///< with its unit: "displacement [mm]"
 };
 
-/// What a colour means.
+/// What a colour means; without one, text alone.
 struct LegendEntry {
-  Colour colour;
+  std::optional<Colour> colour;
   std::string label;
 };
 
@@ -39,7 +43,8 @@ struct Figure {
   std::vector<std::vector<Panel>> rows;
   double mm_per_pixel = 0.0;     ///< of every panel; one scale bar is drawn where it is positive
   std::optional<ColourBar> bar;  ///< stands beside the last row
-  std::vector<LegendEntry> legend = {};  ///< in one line below the rows
+  std::vector<LegendEntry> legend =
+      {};  ///< below the rows: in one line, or in columns where that is too short
 };
 
 /// The figure as a PNG file. Throws std::runtime_error where cairo fails.

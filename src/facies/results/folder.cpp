@@ -11,6 +11,7 @@
 
 #include "facies/base/error.hpp"
 #include "facies/base/files.hpp"
+#include "facies/results/atlas.hpp"
 
 namespace facies::results {
 
@@ -30,12 +31,29 @@ constexpr std::array<const char*, 2> result_folders{"fields", "figures"};
          "choose a folder that you may write to with --out");
 }
 
+/// What a command leaves in its folder.
+struct Kind {
+  const char* writer;                    ///< "facies"
+  const char* what;                      ///< "the results of a run"
+  bool (*is_own)(const std::string&);    ///< a file, relative to the folder
+  std::span<const char* const> folders;  ///< in it
+};
+
+bool is_picture_file(const std::string& relative) {
+  return std::ranges::any_of(atlas_files(), [&](const std::string& name) {
+    return relative == name || relative == name + ".part";
+  });
+}
+
+const Kind run_results{"facies", "the results of a run", is_result_file, result_folders};
+const Kind face_pictures{"facies info", "pictures of a face", is_picture_file, {}};
+
 /// Everything inside, as paths relative to the folder; links are not followed.
 struct Content {
   std::vector<fs::path> results, foreign;
 };
 
-Content list_content(const fs::path& folder) {
+Content list_content(const fs::path& folder, const Kind& kind) {
   Content content;
   std::error_code error;
   fs::recursive_directory_iterator entry(folder, error);
@@ -45,10 +63,8 @@ Content list_content(const fs::path& folder) {
     std::error_code unknown;  // what cannot be looked at is foreign
     const fs::file_type type = entry->symlink_status(unknown).type();
     const bool is_folder = type == fs::file_type::directory;
-    if (is_folder && std::count(result_folders.begin(), result_folders.end(), relative) > 0)
-      continue;
-    const bool is_result =
-        type == fs::file_type::regular && is_result_file(relative.generic_string());
+    if (is_folder && std::count(kind.folders.begin(), kind.folders.end(), relative) > 0) continue;
+    const bool is_result = type == fs::file_type::regular && kind.is_own(relative.generic_string());
     (is_result ? content.results : content.foreign).push_back(relative);
     if (is_folder) entry.disable_recursion_pending();
   }
@@ -58,19 +74,21 @@ Content list_content(const fs::path& folder) {
   return content;
 }
 
-void check_content(const fs::path& folder, const Content& content, bool force) {
+void check_content(const fs::path& folder, const Content& content, const Kind& kind, bool force) {
   if (!content.foreign.empty()) {
-    refuse(folder,
-           fmt::format(
-               "holds {} that facies did not write: {}{}",
-               content.foreign.size() == 1 ? "something"
-                                           : fmt::format("{} things", content.foreign.size()),
-               content.foreign.front().generic_string(), content.foreign.size() > 1 ? ", ..." : ""),
-           "an empty or new folder",
-           "choose another folder with --out; facies never removes what it did not write");
+    refuse(
+        folder,
+        fmt::format("holds {} that {} did not write: {}{}",
+                    content.foreign.size() == 1 ? "something"
+                                                : fmt::format("{} things", content.foreign.size()),
+                    kind.writer, content.foreign.front().generic_string(),
+                    content.foreign.size() > 1 ? ", ..." : ""),
+        "an empty or new folder",
+        fmt::format("choose another folder with --out; {} never removes what it did not write",
+                    kind.writer));
   }
   if (!content.results.empty() && !force) {
-    refuse(folder, "holds the results of a run", "an empty or new folder",
+    refuse(folder, fmt::format("holds {}", kind.what), "an empty or new folder",
            "replace them with --force, or choose another folder with --out");
   }
 }
@@ -123,10 +141,10 @@ bool is_folder(const fs::path& folder) {
   return true;
 }
 
-/// Takes out what a run left, as far as that is allowed.
-void empty_folder(const fs::path& folder, bool force) {
-  const Content content = list_content(folder);
-  check_content(folder, content, force);
+/// Takes out what is of this kind, as far as that is allowed.
+void empty_folder(const fs::path& folder, const Kind& kind, bool force) {
+  const Content content = list_content(folder, kind);
+  check_content(folder, content, kind, force);
   try_writing(folder);
   std::error_code error;
   for (const fs::path& file : content.results) {
@@ -147,12 +165,24 @@ bool is_result_file(const std::string& relative) {
   return std::regex_match(relative, names);
 }
 
-void prepare_folder(const fs::path& given, bool force) {
+namespace {
+
+void prepare(const fs::path& given, const Kind& kind, bool force) {
   const fs::path folder = without_slash(given);
-  if (!is_folder(folder)) return make_new(folder, result_folders);
-  empty_folder(folder, force);
-  for (const char* name : result_folders)
+  if (!is_folder(folder)) return make_new(folder, kind.folders);
+  empty_folder(folder, kind, force);
+  for (const char* name : kind.folders)
     make_folder(folder / name);
+}
+
+}  // namespace
+
+void prepare_folder(const fs::path& folder, bool force) {
+  prepare(folder, run_results, force);
+}
+
+void prepare_picture_folder(const fs::path& folder, bool force) {
+  prepare(folder, face_pictures, force);
 }
 
 void prepare_study_folder(const fs::path& given, bool force) {
@@ -160,7 +190,7 @@ void prepare_study_folder(const fs::path& given, bool force) {
   if (!is_folder(folder)) return make_new(folder, {});
   std::error_code ignored;
   if (fs::is_regular_file(folder / study_file, ignored)) return try_writing(folder);
-  empty_folder(folder, force);
+  empty_folder(folder, run_results, force);
   for (const char* name : result_folders)
     fs::remove(folder / name, ignored);
 }

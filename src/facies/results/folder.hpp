@@ -17,6 +17,9 @@ namespace facies::results {
 /// does not exist.
 void prepare_folder(const std::filesystem::path& folder, bool force);
 
+/// The same for a folder with pictures of a face (atlas_files) and nothing else.
+void prepare_picture_folder(const std::filesystem::path& folder, bool force);
+
 /// What a study is called in its folder; where this file is, a study is.
 inline constexpr const char* study_file = "study.yaml";
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "facies/mesh/surface.hpp"
 
@@ -42,6 +43,22 @@ Extent extent_of(const mesh::Mesh& mesh, const Camera& camera, States states) {
   return extent;
 }
 
+/// The middle of what a range covers.
+Vec3 middle_of(const Extent& extent, const Camera& camera) {
+  const Eigen::Array3d middle = 0.5 * (extent.lower + extent.upper);
+  return middle(0) * camera.direction + middle(1) * camera.right() + middle(2) * camera.up;
+}
+
+/// The mean of the nodes of the face set "mouth"; nothing without one.
+std::optional<Vec3> middle_of_mouth(const mesh::Mesh& mesh) {
+  const std::vector<Index> mouth = mesh::face_set_nodes(mesh, mesh.faces("mouth"));
+  if (mouth.empty()) return {};
+  Vec3 middle = Vec3::Zero();
+  for (const Index node : mouth)
+    middle += mesh.X()[at(node)] / static_cast<double>(mouth.size());
+  return middle;
+}
+
 }  // namespace
 
 std::vector<View> standard_views(const mesh::Mesh& mesh, States states, int height) {
@@ -58,9 +75,7 @@ std::vector<View> standard_views(const mesh::Mesh& mesh, States states, int heig
   }
   for (std::size_t v = 0; v < views.size(); ++v) {
     Camera& camera = views[v].camera;
-    const Eigen::Array3d middle = 0.5 * (extents[v].lower + extents[v].upper);
-    camera.target =
-        middle(0) * camera.direction + middle(1) * camera.right() + middle(2) * camera.up;
+    camera.target = middle_of(extents[v], camera);
     camera.mm_per_pixel = tallest / height;
     camera.height = height;
     camera.width = static_cast<int>(
@@ -74,16 +89,28 @@ std::vector<View> section_views(const mesh::Mesh& mesh, States states, int heigh
   camera.target.y() = 0.0;
   camera.cut = 0.0;
   std::vector<View> views = {{"midsagittal cut", camera}};
-  const std::vector<Index> mouth = mesh::face_set_nodes(mesh, mesh.faces("mouth"));
-  if (mouth.empty()) return views;
-  Vec3 middle = Vec3::Zero();
-  for (const Index node : mouth)
-    middle += mesh.X()[at(node)] / static_cast<double>(mouth.size());
-  camera.target = {middle.x(), 0.0, middle.z()};
+  const std::optional<Vec3> mouth = middle_of_mouth(mesh);
+  if (!mouth) return views;
+  camera.target = {mouth->x(), 0.0, mouth->z()};
   camera.mm_per_pixel = mouth_height / height;
   camera.width = height;
   views.push_back({"around the mouth", camera});
   return views;
+}
+
+View transverse_view(const mesh::Mesh& mesh, States states, int height) {
+  Camera camera;
+  camera.direction = Vec3::UnitZ();
+  camera.up = -Vec3::UnitX();
+  const Extent extent = extent_of(mesh, camera, states);
+  const Eigen::Array3d size = extent.upper - extent.lower;
+  camera.target = middle_of(extent, camera);
+  if (const std::optional<Vec3> mouth = middle_of_mouth(mesh)) camera.target.z() = mouth->z();
+  camera.mm_per_pixel = size(2) / height;
+  camera.width = static_cast<int>(std::ceil(size(1) / camera.mm_per_pixel));
+  camera.height = height;
+  camera.cut = 0.0;
+  return {"transverse cut, from below", camera};
 }
 
 }  // namespace facies::results

@@ -26,4 +26,7 @@ using States = std::span<const std::vector<Vec3>* const>;
 /// "mouth", the surroundings of the mouth enlarged.
 [[nodiscard]] std::vector<View> section_views(const mesh::Mesh& mesh, States states, int height);
 
+/// A horizontal plane seen from below, the front of the face at the top and its right side on the left: at the height of the middle of the face set "mouth", without it half-way up the mesh.
+[[nodiscard]] View transverse_view(const mesh::Mesh& mesh, States states, int height);
+
 }  // namespace facies::results

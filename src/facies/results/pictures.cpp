@@ -27,20 +27,6 @@ std::vector<Panel> take(const Scene& scene, std::span<const View> views, int thr
   return row;
 }
 
-/// Marks those landmarks of the mesh as read that can be seen.
-void mark_landmarks(const Subject& subject, const Scene& scene, std::span<const View> views,
-                    std::vector<Panel>& row) {
-  for (std::size_t v = 0; v < views.size(); ++v) {
-    const Camera& camera = views[v].camera;
-    for (const NamedNode& landmark : subject.landmarks) {
-      const Vec3& X = subject.mesh->X()[at(landmark.node)];
-      if (!scene.sees(camera, X, sight_tolerance)) continue;
-      const Eigen::Vector2d place = camera.project(X);
-      row[v].dots.push_back({place.x(), place.y(), landmark.name});
-    }
-  }
-}
-
 /// Collects pages, and a smaller copy of each for the overview.
 class Album {
  public:
@@ -84,6 +70,17 @@ class Album {
 
 }  // namespace
 
+std::vector<Dot> landmarks_in(const Subject& subject, const Scene& scene, const Camera& camera) {
+  std::vector<Dot> dots;
+  for (const NamedNode& landmark : subject.landmarks) {
+    const Vec3& X = subject.mesh->X()[at(landmark.node)];
+    if (!scene.sees(camera, X, sight_tolerance)) continue;
+    const Eigen::Vector2d place = camera.project(X);
+    dots.push_back({place.x(), place.y(), landmark.name});
+  }
+  return dots;
+}
+
 std::vector<std::string> write_pictures(const Subject& subject, const Snapshot* rest,
                                         const Snapshot& last, const std::filesystem::path& folder,
                                         const PictureOptions& options) {
@@ -101,7 +98,8 @@ std::vector<std::string> write_pictures(const Subject& subject, const Snapshot* 
   const Scene as_read = stage.in_light(nowhere);
   std::vector<Panel> row = take(as_read, views, options.threads);
   album.add("rest.png", "mesh as read", row);
-  mark_landmarks(subject, as_read, views, row);
+  for (std::size_t v = 0; v < views.size(); ++v)
+    row[v].dots = landmarks_in(subject, as_read, views[v].camera);
   if (!subject.landmarks.empty()) album.add("landmarks.png", "landmarks", std::move(row));
   if (rest != nullptr) album.add("tensioned-rest.png", "tensioned rest", picture(start));
   if (rest == &last) return album.finish();

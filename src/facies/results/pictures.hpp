@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "facies/results/callouts.hpp"
+#include "facies/results/render.hpp"
 #include "facies/results/subject.hpp"
 
 namespace facies::results {
@@ -14,6 +16,10 @@ struct PictureOptions {
   int height = 760;     ///< of each view [pixels]
   int threads = 1;      ///< has no influence on the pictures
 };
+
+/// The landmarks of the mesh as read that a camera sees, in its picture; `scene` is what it looks at.
+[[nodiscard]] std::vector<Dot> landmarks_in(const Subject& subject, const Scene& scene,
+                                            const Camera& camera);
 
 /// Writes PNG files into `folder`, each with the views front, three-quarter and profile (the subject's right side):
 /// rest.png (the mesh as read), landmarks.png (the same with the subject's landmarks that can be seen),

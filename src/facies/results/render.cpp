@@ -21,6 +21,8 @@ constexpr float shelter_reach = 35.0F;
 constexpr int shelter_rays = 48;
 /// What a ray has hit it leaves this far behind before it looks for more [mm].
 constexpr float hit_gap = 1e-3F;
+/// A veil shows only where it is at least this far in front of something [mm]: one that lies on it would come and go by rounding.
+constexpr float veil_gap = 0.01F;
 /// Pixels that differ by more than this from a neighbour are sampled again (parts of full light).
 constexpr float edge_contrast = 0.04F;
 
@@ -329,7 +331,8 @@ Vec3f look_at_all(std::span<const Gaze> gazes, double column, double row,
   for (const Gaze& gaze : gazes) {
     if (!gaze.is_veil()) continue;
     const Sight veil = gaze.look(column, row, scale, nearest.distance);
-    if (veil.distance < nearest.distance) light = behind_veil(veil, gaze.density(), light);
+    if (veil.distance + veil_gap < nearest.distance)
+      light = behind_veil(veil, gaze.density(), light);
   }
   return light;
 }

@@ -120,7 +120,7 @@ Surface surface_of(const BoneShape& bone) {
     triangles.push_back({static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]),
                          static_cast<std::uint32_t>(t[2])});
   Surface surface = flat_surface(bone.surface.X, triangles);
-  surface.colours.assign(surface.positions.size(), palette::bone);
+  surface.colours.assign(surface.positions.size(), bone.colour);
   for (std::size_t v = 0; v < bone.is_tooth.size(); ++v) {
     if (bone.is_tooth[v]) surface.colours[v] = palette::teeth;
   }

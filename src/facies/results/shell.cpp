@@ -80,12 +80,28 @@ std::size_t find_mouth(const mesh::Mesh& mesh, const std::vector<std::vector<Ind
   return mouth;
 }
 
+/// The holes whose middle has no eye behind it.
+std::vector<std::vector<Index>> without_eyes(std::vector<std::vector<Index>> holes,
+                                             const mesh::Mesh& mesh,
+                                             std::span<const EyeShape> eyes) {
+  constexpr double near = 1.5;  // radii
+  std::erase_if(holes, [&](const std::vector<Index>& hole) {
+    Vec3 middle = Vec3::Zero();
+    for (const Index node : hole)
+      middle += mesh.X()[at(node)] / static_cast<double>(hole.size());
+    return std::ranges::any_of(eyes, [&](const EyeShape& eye) {
+      return (middle - eye.centre).norm() < near * eye.radius;
+    });
+  });
+  return holes;
+}
+
 }  // namespace
 
-Shell::Shell(const mesh::Mesh& mesh)
+Shell::Shell(const mesh::Mesh& mesh, std::span<const EyeShape> eyes)
     : mesh_(&mesh),
       faces_(mesh::boundary_faces(mesh)),
-      holes_(shorter_borders(mesh, mesh.faces("inner"))),
+      holes_(without_eyes(shorter_borders(mesh, mesh.faces("inner")), mesh, eyes)),
       mouth_(find_mouth(mesh, holes_)) {
   const std::vector<Vec3> normals = mesh::face_normals(mesh, faces_, mesh.X());
   const std::span<const mesh::Face> outer = mesh.faces("outer");

@@ -6,6 +6,7 @@
 
 #include "facies/mesh/mesh.hpp"
 #include "facies/results/render.hpp"
+#include "facies/results/subject.hpp"
 
 namespace facies::results {
 
@@ -19,7 +20,8 @@ enum class Lids : std::uint8_t { all, open_mouth, none };
 /// rim) is closed by a dark, hollow lid, so that one does not look through the face.
 class Shell {
  public:
-  explicit Shell(const mesh::Mesh& mesh);
+  /// Holes in front of `eyes` are left open.
+  explicit Shell(const mesh::Mesh& mesh, std::span<const EyeShape> eyes = {});
 
   /// The boundary at X + u. `node_values` [n_nodes] are what a colour scale shows; empty: natural colours.
   [[nodiscard]] Surface pose(std::span<const Vec3> u, std::span<const double> node_values = {},

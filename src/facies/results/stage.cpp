@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "facies/results/stage.hpp"
 
+#include <algorithm>
+#include <array>
+
+#include "facies/results/eyes.hpp"
+
 namespace facies::results {
 
 namespace {
@@ -12,7 +17,7 @@ constexpr float shell_density = 0.12F;
 }  // namespace
 
 Stage::Stage(const Subject& subject, int threads)
-    : subject_(&subject), threads_(threads), shell_(*subject.mesh), tissue_(subject) {
+    : subject_(&subject), threads_(threads), shell_(*subject.mesh, subject.eyes), tissue_(subject) {
   for (const BoneShape& bone : subject.bones)
     bones_.emplace_back(surface_of(bone), threads);
 }
@@ -39,15 +44,32 @@ Scene Stage::in_light(const mechanics::State& state, std::span<const double> nod
   for (const BoneShape& bone : subject_->bones) {
     if (bone.is_solid) append(surface, surface_of(bone, *subject_, state));
   }
+  for (const EyeShape& eye : subject_->eyes)
+    append(surface, surface_of(eye));
   return {std::move(surface), threads_};
+}
+
+std::vector<Image> Stage::with_bones(const mechanics::State& state, std::span<const Actor> others,
+                                     std::span<const View> views) const {
+  std::vector<Actor> actors = bones_in(state);
+  actors.insert(actors.end(), others.begin(), others.end());
+  return take(actors, views);
+}
+
+bool Stage::is_before_bones(const Camera& camera, const Vec3& point) const {
+  return std::ranges::all_of(bones_,
+                             [&](const Scene& bone) { return bone.sees(camera, point, 0.0); });
+}
+
+Scene Stage::skin(const mechanics::State& state) const {
+  return {shell_.pose(state.u, {}, Lids::none), threads_};
 }
 
 std::vector<Image> Stage::through_skin(const mechanics::State& state,
                                        std::span<const View> views) const {
-  const Scene skin(shell_.pose(state.u, {}, Lids::none), threads_);
-  std::vector<Actor> actors = bones_in(state);
-  actors.push_back({.scene = &skin, .density = skin_density});
-  return take(actors, views);
+  const Scene veil = skin(state);
+  const std::array<Actor, 1> others = {{{.scene = &veil, .density = skin_density}}};
+  return with_bones(state, others, views);
 }
 
 std::vector<Image> Stage::cut_open(const mechanics::State& state,

@@ -20,6 +20,17 @@ class Stage {
   [[nodiscard]] Scene in_light(const mechanics::State& state,
                                std::span<const double> node_values = {}) const;
 
+  /// Bones and teeth in their places, with these others.
+  [[nodiscard]] std::vector<Image> with_bones(const mechanics::State& state,
+                                              std::span<const Actor> others,
+                                              std::span<const View> views) const;
+
+  /// Whether no bone stands between a camera and a point while no bone has moved.
+  [[nodiscard]] bool is_before_bones(const Camera& camera, const Vec3& point) const;
+
+  /// The boundary of the tissue alone, its holes open: a veil for with_bones.
+  [[nodiscard]] Scene skin(const mechanics::State& state) const;
+
   /// Bones and teeth in their places, the skin as a veil in front of them.
   [[nodiscard]] std::vector<Image> through_skin(const mechanics::State& state,
                                                 std::span<const View> views) const;

@@ -10,6 +10,7 @@
 #include "facies/mesh/mesh.hpp"
 #include "facies/mesh/triangle_surface.hpp"
 #include "facies/results/mechanism.hpp"
+#include "facies/results/palette.hpp"
 
 namespace facies::results {
 
@@ -23,17 +24,27 @@ struct NamedPair {
 };
 
 struct NamedMuscle {
-  std::string name;
+  std::string name;  ///< "ZYG_L"
   std::vector<Index> elements;
+  std::string group = {};    ///< "ZYG": what both sides have in common
+  std::string meaning = {};  ///< "zygomaticus"
 };
 
 /// The surface of a bone, teeth included.
 struct BoneShape {
   std::string name;               ///< "maxilla"
+  std::string meaning = {};       ///< "upper jaw"
   bool is_solid = true;           ///< false: an open sheet, without an inside that a cut could show
   Index body = -1;                ///< rigid body that it moves with (State::bodies); -1: fixed
   mesh::TriangleSurface surface;  ///< where it is while its body has not moved
   std::vector<bool> is_tooth;     ///< of each vertex; empty: none is
+  Colour colour = palette::bone;  ///< but of its teeth
+};
+
+/// An eyeball behind its lids; it stays where it is.
+struct EyeShape {
+  Vec3 centre = Vec3::Zero();
+  double radius = 0.0;  ///< [mm]
 };
 
 /// Plain data about the face of a run; outlives everything that refers to it.
@@ -41,10 +52,13 @@ struct Subject {
   const mesh::Mesh* mesh = nullptr;
   std::vector<std::string> layers;    ///< names, outermost first
   std::vector<int> layer_of_element;  ///< [n_elements] position in `layers`
+  std::vector<Vec3> skin_lines =
+      {};  ///< [n_elements] unit axis of the skin lines, zero outside the skin; or empty
   std::vector<NamedNode> landmarks;
   std::vector<NamedPair> pairs;
   std::vector<NamedMuscle> muscles;  ///< in the order of Controls::activation
   std::vector<BoneShape> bones;
+  std::vector<EyeShape> eyes;
   std::vector<mechanics::RigidBody> bodies;  ///< as State::bodies
 };
 

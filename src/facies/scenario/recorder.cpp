@@ -13,59 +13,15 @@
 #include "facies/results/tables.hpp"
 #include "facies/scenario/mechanism_report.hpp"
 #include "facies/scenario/settings_json.hpp"
+#include "facies/scenario/subject.hpp"
 #include "facies/scenario/write_scenario.hpp"
 #include "facies/solve/motion.hpp"
 
 namespace facies::scenario {
 
-namespace {
-
-/// Bones and teeth of a face with a jaw, where they are while the jaw has not moved: where it settled, or in its starting
-/// pose in a model that has no use for it (`settled` is null).
-std::vector<results::BoneShape> bone_shapes(const anatomy::Jaw& jaw, const SettledJaw* settled) {
-  std::vector<results::BoneShape> bones;
-  for (std::size_t s = 0; s < jaw.surfaces.size(); ++s) {
-    const anatomy::BoneSurface& part = jaw.surfaces[s];
-    if (part.kind == anatomy::SurfaceKind::cast) continue;
-    results::BoneShape& bone = bones.emplace_back();
-    bone.name = part.name;
-    bone.is_solid = part.kind == anatomy::SurfaceKind::solid;
-    bone.body = settled != nullptr && part.bone == jaw.mandible ? 0 : -1;
-    bone.surface = part.surface;
-    bone.is_tooth.resize(bone.surface.X.size());
-    for (std::size_t v = 0; v < bone.surface.X.size(); ++v) {
-      Vec3& X = bone.surface.X[v];
-      bone.is_tooth[v] = std::ranges::any_of(jaw.crowns, [&](const anatomy::Crowns& crowns) {
-        return at(crowns.surface) == s && crowns.holds(X);
-      });
-      const anatomy::BonePoint point{part.bone, X};
-      X = settled != nullptr ? anchor_of(jaw, *settled, point).X : place_of(jaw, jaw.start, point);
-    }
-  }
-  return bones;
-}
-
-}  // namespace
-
 results::Subject make_subject(const FaceModel& model) {
-  const anatomy::FaceAnatomy& face = model.face;
-  results::Subject subject;
-  subject.mesh = &face.mesh;
-  subject.layers = anatomy::layer_names();
-  subject.layer_of_element.assign(face.mesh.n_elements(), 0);
-  for (std::size_t layer = 0; layer < subject.layers.size(); ++layer) {
-    for (const Index e : face.mesh.elements(subject.layers[layer])) {
-      subject.layer_of_element[at(e)] = static_cast<int>(layer);
-    }
-  }
-  for (const anatomy::Landmark& landmark : face.landmarks) {
-    subject.landmarks.push_back({landmark.name, landmark.meaning, landmark.node});
-  }
-  for (const anatomy::LandmarkPair& pair : face.pairs)
-    subject.pairs.push_back({pair.a, pair.b});
-  for (const anatomy::Muscle& muscle : model.muscles)
-    subject.muscles.push_back({muscle.name, muscle.elements});
-  if (face.jaw) subject.bones = bone_shapes(*face.jaw, model.jaw ? &*model.jaw : nullptr);
+  results::Subject subject =
+      subject_of(model.face, model.muscles, model.jaw ? &*model.jaw : nullptr);
   subject.bodies.assign(model.model.bodies().begin(), model.model.bodies().end());
   return subject;
 }
