@@ -48,7 +48,7 @@ TEST(Patch, CanBeHeldReleasedAndPulled) {
   std::ranges::set_difference(mesh.nodes("held_in_tension"), mesh.nodes("rim"),
                               std::back_inserter(released));
   EXPECT_EQ(released.size(), 49U);
-  const std::vector<Muscle> muscles = select_muscles(face, 6.0, 1.1);
+  const std::vector<Muscle> muscles = select_muscles(face, {6.0, 0.0}, 1.1);
   ASSERT_EQ(muscles.size(), 2U);
   EXPECT_EQ(muscles[0].name, "STRIP_L");
   EXPECT_EQ(muscles[1].name, "STRIP_R");
@@ -88,7 +88,7 @@ TEST(Patch, BendsWithItsMuscleInside) {
   for (const char* shape : {"cylinder", "sphere"}) {
     const FaceAnatomy face = make_patch(std::string("shape=") + shape + ",radius=40");
     EXPECT_TRUE(mesh::check_geometry(face.mesh).empty()) << shape;
-    EXPECT_EQ(select_muscles(face, 6.0, 1.0).size(), 2U) << shape;
+    EXPECT_EQ(select_muscles(face, {6.0, 0.0}, 1.0).size(), 2U) << shape;
   }
 }
 

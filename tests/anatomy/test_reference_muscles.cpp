@@ -78,11 +78,11 @@ TEST_F(ReferenceMuscles, HaveTheKnownNumbersOfElements) {
   const std::map<std::string, std::size_t> unscaled{
       {"DAO", 55},  {"BUC", 53},    {"DLI", 106}, {"MENT", 86}, {"OOM", 708},
       {"OOP", 462}, {"LLSAN", 191}, {"LAO", 139}, {"RIS", 199}, {"ZYG", 58}};
-  EXPECT_EQ(sizes(select_muscles(face(), 6.0, 1.0)), unscaled);
+  EXPECT_EQ(sizes(select_muscles(face(), {6.0, 0.0}, 1.0)), unscaled);
   const std::map<std::string, std::size_t> tensioned{
       {"DAO", 64},  {"BUC", 70},    {"DLI", 126}, {"MENT", 109}, {"OOM", 786},
       {"OOP", 534}, {"LLSAN", 234}, {"LAO", 167}, {"RIS", 243},  {"ZYG", 66}};
-  EXPECT_EQ(sizes(select_muscles(face(), 6.0, 1.1)), tensioned);
+  EXPECT_EQ(sizes(select_muscles(face(), {6.0, 0.0}, 1.1)), tensioned);
 }
 
 TEST_F(ReferenceMuscles, HaveTheVeryElementsOfTheAuthorsProgram) {
@@ -93,7 +93,7 @@ TEST_F(ReferenceMuscles, HaveTheVeryElementsOfTheAuthorsProgram) {
     std::map<std::string, std::set<Index>> expected;
     for (const CsvRow& row : rows)
       expected[row.at("muscle")].insert(index_of(row, "element"));
-    for (const auto& [group, elements] : by_group(select_muscles(face(), 6.0, scale))) {
+    for (const auto& [group, elements] : by_group(select_muscles(face(), {6.0, 0.0}, scale))) {
       std::set<Index> found;
       for (const auto& [e, direction] : elements)
         found.insert(e);
@@ -105,7 +105,7 @@ TEST_F(ReferenceMuscles, HaveTheVeryElementsOfTheAuthorsProgram) {
 TEST_F(ReferenceMuscles, RunAsInTheAuthorsProgramButForTheNoiseOfItsTessellation) {
   const auto rows = derived_table("muscle-elements-tsf1.00.csv");
   if (rows.empty()) GTEST_SKIP() << "no derived tables";
-  const auto groups = by_group(select_muscles(face(), 6.0, 1.0));
+  const auto groups = by_group(select_muscles(face(), {6.0, 0.0}, 1.0));
   std::map<std::string, std::vector<double>> angles;
   for (const CsvRow& row : rows) {
     const auto group = groups.find(row.at("muscle"));
@@ -127,7 +127,7 @@ TEST_F(ReferenceMuscles, RunAsInTheAuthorsProgramButForTheNoiseOfItsTessellation
 }
 
 TEST_F(ReferenceMuscles, HaveUnitDirectionsAndSortedElements) {
-  for (const Muscle& muscle : select_muscles(face(), 6.0, 1.0)) {
+  for (const Muscle& muscle : select_muscles(face(), {6.0, 0.0}, 1.0)) {
     EXPECT_TRUE(std::ranges::is_sorted(muscle.elements)) << muscle.name;
     ASSERT_EQ(muscle.elements.size(), muscle.directions.size());
     for (const Vec3& direction : muscle.directions)
@@ -137,7 +137,7 @@ TEST_F(ReferenceMuscles, HaveUnitDirectionsAndSortedElements) {
 
 TEST_F(ReferenceMuscles, ComeAsTenGroupsLeftBeforeRightAndOneRing) {
   std::vector<std::string> names;
-  for (const Muscle& muscle : select_muscles(face(), 6.0, 1.0))
+  for (const Muscle& muscle : select_muscles(face(), {6.0, 0.0}, 1.0))
     names.push_back(muscle.name);
   EXPECT_THAT(
       names, testing::ElementsAre("ZYG_L", "ZYG_R", "LLSAN_L", "LLSAN_R", "LAO_L", "LAO_R", "RIS_L",
@@ -147,7 +147,7 @@ TEST_F(ReferenceMuscles, ComeAsTenGroupsLeftBeforeRightAndOneRing) {
 
 TEST_F(ReferenceMuscles, LieOnTheirOwnSideOfTheFace) {
   const mesh::Mesh& mesh = face().mesh;
-  for (const Muscle& muscle : select_muscles(face(), 6.0, 1.0)) {
+  for (const Muscle& muscle : select_muscles(face(), {6.0, 0.0}, 1.0)) {
     if (muscle.side == Side::middle) continue;
     const double sign = muscle.side == Side::right ? 1.0 : -1.0;
     for (const Index e : muscle.elements) {
@@ -173,8 +173,8 @@ TEST_F(ReferenceMuscles, SelectTheSameOnBothSidesOfASymmetricFace) {
         p.y() = -p.y();
     }
   }
-  const std::vector<Muscle> ours = select_muscles(face(), 6.0, 1.1);
-  const std::vector<Muscle> theirs = select_muscles(mirrored, 6.0, 1.1);
+  const std::vector<Muscle> ours = select_muscles(face(), {6.0, 0.0}, 1.1);
+  const std::vector<Muscle> theirs = select_muscles(mirrored, {6.0, 0.0}, 1.1);
   ASSERT_EQ(ours.size(), theirs.size());
   for (std::size_t i = 0; i < ours.size(); ++i) {
     const std::size_t other =

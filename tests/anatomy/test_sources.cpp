@@ -28,7 +28,7 @@ TEST(Sources, AreListedWithUsageAndSummary) {
     EXPECT_TRUE(source.usage.starts_with(source.name)) << source.usage;
     EXPECT_FALSE(source.summary.empty());
   }
-  EXPECT_THAT(names, testing::ElementsAre("patch", "artisynth"));
+  EXPECT_THAT(names, testing::ElementsAre("builtin", "patch", "artisynth"));
 }
 
 TEST(Sources, MakeAPatchWithAndWithoutOptions) {
@@ -39,7 +39,7 @@ TEST(Sources, MakeAPatchWithAndWithoutOptions) {
 TEST(Sources, SuggestTheSourceThatWasMeant) {
   EXPECT_THAT(refusal("artisinth:/tmp"), HasSubstr("did you mean 'artisynth'?"));
   EXPECT_THAT(refusal("Patch:ny=4"), HasSubstr("did you mean 'patch'?"));
-  EXPECT_THAT(refusal(""), HasSubstr("known: patch, artisynth"));
+  EXPECT_THAT(refusal(""), HasSubstr("known: builtin, patch, artisynth"));
 }
 
 TEST(Sources, WantAFolderForTheReferenceFace) {

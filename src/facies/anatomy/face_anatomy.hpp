@@ -33,6 +33,8 @@ struct FibrePath {
   Side side = Side::middle;
   bool closed = false;
   std::vector<Vec3> points;
+  /// Unit, out of the layer of tissue there, one per point: the short axis of a band. Empty where the muscle is no band.
+  std::vector<Vec3> normals = {};
 };
 
 /// A muscle as drawn: its paths on both sides. "ZYG" drives all of it, "ZYG_L" and "ZYG_R" one side.
@@ -40,6 +42,11 @@ struct MusclePaths {
   std::string name;     ///< "ZYG"
   std::string meaning;  ///< "zygomaticus"
   std::vector<FibrePath> paths;
+  double width = 0.0;  ///< of the band along each path, in the plane of the skin [mm]; 0: no band
+  double thickness = 0.0;  ///< of that band, along the paths' normals [mm]
+
+  /// Whether its elements are those of bands along its paths, not those within a radius.
+  [[nodiscard]] bool is_band() const { return width > 0.0; }
 };
 
 /// A muscle of one side as a set of elements with fibre directions; made from paths by select_muscles.
@@ -49,6 +56,7 @@ struct Muscle {
   Side side = Side::middle;
   std::vector<Index> elements;   ///< sorted
   std::vector<Vec3> directions;  ///< unit, one per element
+  std::vector<double> shares;    ///< of each element's volume that is muscle: above 0, at most 1
 };
 
 /// A named point of the face that is followed through a run.
@@ -64,6 +72,21 @@ struct LandmarkPair {
   std::string a, b;
 };
 
+/// An eyeball, which lids lie on. It is looked at; nothing moves it, and what lies on it is fixed.
+struct Eye {
+  Vec3 centre = Vec3::Zero();
+  double radius = 0.0;  ///< [mm]
+};
+
+/// A length that one may ask for when a face is made.
+struct FaceLength {
+  std::string key;  ///< "mouth_width"
+  std::string meaning;
+  std::optional<double> wanted;          ///< [mm]; nothing where it follows from the others
+  double found = 0.0;                    ///< that of the face [mm]
+  double smallest = 0.0, largest = 0.0;  ///< what may be asked for [mm]
+};
+
 struct FaceAnatomy {
   std::string source;                        ///< how it was made: "artisynth:/path", "patch"
   std::vector<std::filesystem::path> files;  ///< everything that was read for it
@@ -73,7 +96,9 @@ struct FaceAnatomy {
   std::vector<MusclePaths> muscle_paths;
   std::vector<Landmark> landmarks;
   std::vector<LandmarkPair> pairs;
-  std::optional<Jaw> jaw;  ///< nothing for a face without one
+  std::optional<Jaw> jaw;           ///< nothing for a face without one
+  std::vector<Eye> eyes;            ///< nothing where what lies behind the lids is not known
+  std::vector<FaceLength> lengths;  ///< nothing for a face that is not made from measures
   std::vector<std::string>
       notes;  ///< what a reader did that a user should know ("6024 left-handed hexahedra turned")
   bool is_reference_face =
@@ -85,11 +110,20 @@ struct FaceAnatomy {
 std::vector<std::string> leave_out_fibres(FaceAnatomy& face,
                                           const std::vector<std::string>& fibres);
 
-/// Muscles as elements: an element belongs to a muscle if its centroid lies closer than `radius` [mm] to one of its
-/// paths, both measured in the reference configuration divided by `scale` (paper's TSF: the stress-free size).
-/// Its side is that of the nearest path. Order: that of muscle_paths, left before right. Throws DataError for a muscle
-/// that gets no element.
-[[nodiscard]] std::vector<Muscle> select_muscles(const FaceAnatomy& face, double radius,
+/// How far muscles reach beyond their fibres [mm].
+struct MuscleReach {
+  double radius = 0.0;  ///< around a fibre without a width
+  double margin = 0.0;  ///< all around a band
+};
+
+/// Muscles as elements, sorted. An element belongs to
+/// - a muscle without a width if its centroid lies closer than the radius to one of its paths, both measured in the
+///   reference configuration divided by `scale` (paper's TSF: the stress-free size), with all of its volume, on the side of the nearest path;
+/// - a band if a twentieth of it lies, in the reference configuration, in the bands along the paths of a side, each as wide and thick as the
+///   muscle and the margin all around it, not beyond the path's ends. It belongs with the share that does, told by 64 parts.
+///   Elements of the skin, and those that share no face with another one of the muscle, are left out.
+/// Order: that of muscle_paths, left before right. Throws DataError for a muscle that gets no element.
+[[nodiscard]] std::vector<Muscle> select_muscles(const FaceAnatomy& face, const MuscleReach& reach,
                                                  double scale);
 
 }  // namespace facies::anatomy

@@ -2,6 +2,8 @@
 #include "facies/anatomy/sources.hpp"
 
 #include "facies/anatomy/artisynth_face.hpp"
+#include "facies/anatomy/builtin_face.hpp"
+#include "facies/anatomy/builtin_options.hpp"
 #include "facies/anatomy/patch.hpp"
 #include "facies/base/text.hpp"
 
@@ -26,8 +28,17 @@ FaceAnatomy load_artisynth(const std::string& folder, const std::filesystem::pat
   return read_artisynth_face(folder, data / "reference-face");
 }
 
+FaceAnatomy load_builtin(const std::string& options, const std::filesystem::path& data) {
+  return make_builtin_face(options, data / "builtin");
+}
+
 const std::vector<Source>& catalog() {
   static const std::vector<Source> all{
+      {{"builtin", builtin_usage() + ",KEY=N mm",
+        "a face of our own, after published measurements: sizes coarse, standard, fine, finer; "
+        "presets male, female; lengths by KEY (facies list measures); every option may be left "
+        "out"},
+       load_builtin},
       {{"patch", patch_usage(), "a layered sheet of skin on fat; every option may be left out"},
        load_patch},
       {{"artisynth", "artisynth:DIR",

@@ -8,27 +8,37 @@
 #include "facies/base/text.hpp"
 
 namespace facies::anatomy {
+namespace {
+
+bool is_comment(std::string_view line) {
+  return trim(line).starts_with('#');
+}
+
+}  // namespace
 
 Table::Table(const std::filesystem::path& path, const std::vector<std::string>& columns,
              Problems& problems)
     : file_(path, problems) {
   if (!file_.is_usable()) return;
   const std::size_t before = problems.size();
-  for (const std::string_view field : split(file_.line(0), ','))
+  std::size_t header = 0;
+  while (header + 1 < file_.n_lines() && is_comment(file_.line(header)))
+    ++header;
+  for (const std::string_view field : split(file_.line(header), ','))
     header_.emplace_back(field);
   for (const std::string& column : columns) {
     if (std::ranges::find(header_, column) == header_.end()) {
-      problems.add({file_.where(0), fmt::format("no column '{}'", column), "",
+      problems.add({file_.where(header), fmt::format("no column '{}'", column), "",
                     did_you_mean(column, header_)});
     }
   }
-  for (std::size_t line = 1; line < file_.n_lines(); ++line)
+  for (std::size_t line = header + 1; line < file_.n_lines(); ++line)
     add_row(line, problems);
   if (problems.size() != before) rows_.clear();
 }
 
 void Table::add_row(std::size_t line, Problems& problems) {
-  if (trim(file_.line(line)).empty()) return;
+  if (trim(file_.line(line)).empty() || is_comment(file_.line(line))) return;
   const std::size_t n = split(file_.line(line), ',').size();
   if (n == header_.size()) {
     rows_.push_back(line);
@@ -75,6 +85,15 @@ std::string Table::new_name(std::size_t row, const std::string& column,
     problems.add({where(row, column), excerpt(name), "a name that no other row has", ""});
   }
   names.push_back(name);
+  return name;
+}
+
+std::string Table::known_name(std::size_t row, const std::string& column,
+                              const std::vector<std::string>& known, const std::string& expected,
+                              Problems& problems) const {
+  std::string name(text(row, column));
+  if (!known.empty() && std::ranges::find(known, name) == known.end())
+    problems.add({where(row, column), excerpt(name), expected, did_you_mean(name, known)});
   return name;
 }
 

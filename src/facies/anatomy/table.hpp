@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Our own tables under data/: CSV with a header line. Fields hold neither commas nor quotes.
+// Our own tables under data/: CSV with a header line. Fields hold neither commas nor quotes; lines that begin with # are
+// comments.
 #pragma once
 
 #include <filesystem>
@@ -32,6 +33,11 @@ class Table {
   /// The name in `column`; a problem where it is empty or was in `names` before, to which it is added.
   [[nodiscard]] std::string new_name(std::size_t row, const std::string& column,
                                      std::vector<std::string>& names, Problems& problems) const;
+  /// The name in `column`; a problem where it is none of `known`, of which `expected` says what they are. An empty list, whose
+  /// own table could not be read, is passed over.
+  [[nodiscard]] std::string known_name(std::size_t row, const std::string& column,
+                                       const std::vector<std::string>& known,
+                                       const std::string& expected, Problems& problems) const;
   /// "file:line:column" of the field.
   [[nodiscard]] std::string where(std::size_t row, const std::string& column) const;
 

@@ -53,7 +53,8 @@ void assign_fibres(const std::vector<anatomy::Muscle>& muscles, const MuscleChoi
   const std::shared_ptr<const material::FibreLaw> law =
       material::find_fibre_law(choice.law)->make(choice.values, choice.passive);
   for (std::size_t m = 0; m < muscles.size(); ++m) {
-    description.fibres.push_back({law, to_index(m), muscles[m].elements, muscles[m].directions});
+    description.fibres.push_back(
+        {law, to_index(m), muscles[m].elements, muscles[m].directions, muscles[m].shares});
   }
 }
 
@@ -147,8 +148,8 @@ double tension_scaling_factor(const Scenario& scenario) {
 std::vector<anatomy::Muscle> choose_muscles(const anatomy::FaceAnatomy& face,
                                             const Scenario& scenario) {
   const double tsf = tension_scaling_factor(scenario);
-  if (scenario.muscle.leave_out.empty())
-    return anatomy::select_muscles(face, scenario.muscle.radius, tsf);
+  const anatomy::MuscleReach reach{scenario.muscle.radius, scenario.muscle.margin};
+  if (scenario.muscle.leave_out.empty()) return anatomy::select_muscles(face, reach, tsf);
   std::vector<std::string> fibres;
   for (const std::string_view name : split_blanks(scenario.muscle.leave_out))
     fibres.emplace_back(name);
@@ -163,7 +164,7 @@ std::vector<anatomy::Muscle> choose_muscles(const anatomy::FaceAnatomy& face,
     }
   }
   problems.throw_if_any<ScenarioError>();
-  return anatomy::select_muscles(reduced, scenario.muscle.radius, tsf);
+  return anatomy::select_muscles(reduced, reach, tsf);
 }
 
 NamesOnFace names_on_face(const anatomy::FaceAnatomy& face,

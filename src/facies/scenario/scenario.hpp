@@ -35,6 +35,7 @@ struct MuscleChoice {
   std::string passive = "kPa";  ///< what the passive stress is measured in: none, kPa or sigma_max
   double radius =
       6.0;  ///< elements whose centroid lies closer to a fibre belong to its muscle [mm]
+  double margin = 3.0;         ///< how far beyond a muscle that is a band tissue belongs to it [mm]
   std::string leave_out = {};  ///< fibres that do not count, with blanks between: "LAO.1"
 
   friend bool operator==(const MuscleChoice&, const MuscleChoice&) = default;

@@ -151,12 +151,22 @@ std::vector<Field> material_fields() {
        [](Scenario& s) { return &s.muscle.passive; }},
       {"muscle.radius",
        {.doc = "An element belongs to a muscle if its centroid lies closer than this to one of the "
-               "muscle's fibres, at the stress-free size.",
+               "muscle's fibres, at the stress-free size. Muscles of the built-in face have widths "
+               "and "
+               "thicknesses instead (data/builtin/muscles.csv).",
         .unit = "mm",
         .minimum = 0.0,
         .maximum = 100.0,
         .exclusive_minimum = true},
        [](Scenario& s) { return &s.muscle.radius; }},
+      {"muscle.margin",
+       {.doc = "Tissue this far around a muscle that has a width and a thickness belongs to it. "
+               "With 3 mm the muscles of the built-in face have the cross-sections of the paper's, "
+               "so that activations mean the same.",
+        .unit = "mm",
+        .minimum = 0.0,
+        .maximum = 20.0},
+       [](Scenario& s) { return &s.muscle.margin; }},
       {"muscle.leave_out",
        {.doc = "Fibres of the face that do not count, with blanks between: `LAO.1` is the first "
                "fibre of the levator anguli oris on each side "
