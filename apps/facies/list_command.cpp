@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "facies/anatomy/builtin_drawings.hpp"
 #include "facies/anatomy/sources.hpp"
 #include "facies/material/catalog.hpp"
 #include "facies/scenario/folders.hpp"
@@ -65,24 +66,45 @@ void list_presets() {
 
 void list_faces() {
   for (const anatomy::SourceSpec& source : anatomy::sources()) {
-    std::cout << fmt::format("{:<24} {}\n", source.usage, source.summary);
+    std::cout << fmt::format("{}\n  {}\n", source.usage, source.summary);
   }
+}
+
+/// What one may ask for of the built-in face.
+void list_measures() {
+  const anatomy::Drawings drawings = anatomy::read_drawings(scenario::data_folder() / "builtin");
+  std::cout << fmt::format("{:<28} {:>9} {:>11} {:>16}   meaning\n", "--face builtin:KEY=N mm",
+                           "male [mm]", "female [mm]", "range [mm]");
+  const auto row = [](const std::string& key, const std::string& male, const std::string& female,
+                      double smallest, double largest, const std::string& meaning) {
+    std::cout << fmt::format("{:<28} {:>9} {:>11} {:>16}   {}\n", key, male, female,
+                             fmt::format("{:g} to {:g}", smallest, largest), meaning);
+  };
+  for (const anatomy::FaceMeasure& measure : drawings.measures.measures) {
+    const bool follows = !measure.rest_of.empty();
+    row(measure.key, follows ? "follows" : fmt::format("{:g}", measure.male),
+        follows ? "follows" : fmt::format("{:g}", measure.female), measure.smallest,
+        measure.largest, measure.meaning);
+  }
+  for (const anatomy::DepthSite& site : drawings.depths)
+    row(site.key, "as drawn", "as drawn", site.smallest, site.largest, site.meaning);
 }
 
 }  // namespace
 
 void add_list(CLI::App& app, Action& action) {
-  CLI::App* sub =
-      app.add_subcommand("list",
-                         "List scenarios and studies that ship, laws, presets or faces.\n\n"
-                         "Examples:\n"
-                         "  facies list scenarios\n"
-                         "  facies list presets\n");
+  CLI::App* sub = app.add_subcommand(
+      "list",
+      "List scenarios and studies that ship, laws, presets, faces or the measures of the "
+      "built-in face.\n\n"
+      "Examples:\n"
+      "  facies list scenarios\n"
+      "  facies list presets\n");
   auto what = std::make_shared<std::string>();
-  sub->add_option("what", *what, "scenarios, studies, laws, presets or faces")
+  sub->add_option("what", *what, "scenarios, studies, laws, presets, faces or measures")
       ->required()
       ->type_name("WHAT")
-      ->check(CLI::IsMember({"scenarios", "studies", "laws", "presets", "faces"}));
+      ->check(CLI::IsMember({"scenarios", "studies", "laws", "presets", "faces", "measures"}));
   sub->callback([what, &action] {
     action = [what] {
       if (*what == "scenarios") list_scenarios();
@@ -90,6 +112,7 @@ void add_list(CLI::App& app, Action& action) {
       if (*what == "laws") list_laws();
       if (*what == "presets") list_presets();
       if (*what == "faces") list_faces();
+      if (*what == "measures") list_measures();
       return exit_status::done;
     };
   });
