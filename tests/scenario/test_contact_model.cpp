@@ -311,7 +311,8 @@ TEST_F(PatchOverATip, IsPressedWhereItsNodesGoFirst) {
 }
 
 TEST_F(PatchOverATip, HasAnInnerSurfaceThatLooksInwards) {
-  const mechanics::ContactSurface inner = inner_surface(face_.mesh, "inner");
+  const mechanics::ContactSurface inner =
+      tissue_surface(face_.mesh, face_.mesh.faces("inner"), "inner");
   EXPECT_EQ(inner.vertices.size(), face_.mesh.nodes("inner").size());
   for (const auto& [a, b, c] : inner.triangles) {
     const Vec3 normal = (inner.vertices[at(b)].X - inner.vertices[at(a)].X)

@@ -25,14 +25,6 @@ std::vector<double> vertex_areas(const mechanics::ContactSurface& surface) {
 
 }  // namespace
 
-mechanics::ContactSurface inner_surface(const mesh::Mesh& mesh, const std::string& name) {
-  mesh::NumberedTriangles part = mesh::triangulate_alone(mesh, mesh.faces("inner"));
-  mechanics::ContactSurface surface{name, {}, std::move(part.triangles)};
-  for (const Index node : part.nodes)
-    surface.vertices.push_back(mechanics::Anchor::on_node(node, mesh.X()[at(node)]));
-  return surface;
-}
-
 std::vector<mechanics::ContactPoint> bone_points(const mesh::Mesh& mesh,
                                                  const std::vector<Vec3>& start,
                                                  const mechanics::ContactSurface& bone,

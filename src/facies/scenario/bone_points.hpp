@@ -2,17 +2,12 @@
 // Bones that press on tissue with their own vertices, where they are sharper than its mesh is fine.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "facies/mechanics/contact.hpp"
 #include "facies/mesh/mesh.hpp"
 
 namespace facies::scenario {
-
-/// The inner surface of the tissue, all of it, as a contact surface of this name.
-[[nodiscard]] mechanics::ContactSurface inner_surface(const mesh::Mesh& mesh,
-                                                      const std::string& name);
 
 /// The vertices of a bone that the inner surface of the tissue may not pass, each with its share of the bone's area.
 /// `start` is how far each node goes first (resolve_overlaps; empty: nowhere). Vertices that then lie in the tissue, or

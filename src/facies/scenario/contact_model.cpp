@@ -51,16 +51,24 @@ std::unique_ptr<mechanics::Contact> lip_contact(const mechanics::Model& model,
                                                 const mechanics::ContactSettings& settings) {
   const std::span<const mesh::Face> faces = mesh.faces("mouth");
   const std::vector<double> area = mesh::node_areas(mesh, faces, mesh.X());
-  mesh::NumberedTriangles part = mesh::triangulate_alone(mesh, faces);
+  mechanics::ContactSurface surface = tissue_surface(mesh, faces, "lips");
   Points points;
-  mechanics::ContactSurface surface{"lips", {}, std::move(part.triangles)};
-  for (const Index node : part.nodes) {
-    const mechanics::Anchor anchor = mechanics::Anchor::on_node(node, mesh.X()[at(node)]);
-    points.push_back({anchor, area[at(node)]});
-    surface.vertices.push_back(anchor);
-  }
+  for (const mechanics::Anchor& node : surface.vertices)
+    points.push_back({node, area[at(node.index)]});
   return std::make_unique<mechanics::Contact>(model, std::move(points), std::move(surface),
                                               settings);
+}
+
+/// The vertices of a bone as points that the inner surface of the tissue may not pass.
+std::unique_ptr<mechanics::Contact> edge_contact(const mechanics::Model& model,
+                                                 const mesh::Mesh& mesh,
+                                                 const std::vector<Vec3>& start,
+                                                 const mechanics::ContactSurface& bone,
+                                                 double distance,
+                                                 const mechanics::ContactSettings& settings) {
+  return std::make_unique<mechanics::Contact>(
+      model, bone_points(mesh, start, bone, distance),
+      tissue_surface(mesh, mesh.faces("inner"), "edges of the " + bone.name), settings);
 }
 
 }  // namespace
@@ -93,6 +101,15 @@ std::vector<mechanics::ContactPoint> inner_points(const anatomy::FaceAnatomy& fa
   return points;
 }
 
+mechanics::ContactSurface tissue_surface(const mesh::Mesh& mesh, std::span<const mesh::Face> faces,
+                                         const std::string& name) {
+  mesh::NumberedTriangles part = mesh::triangulate_alone(mesh, faces);
+  mechanics::ContactSurface surface{name, {}, std::move(part.triangles)};
+  for (const Index node : part.nodes)
+    surface.vertices.push_back(mechanics::Anchor::on_node(node, mesh.X()[at(node)]));
+  return surface;
+}
+
 ContactTerms add_contacts(mechanics::Model& model, const anatomy::FaceAnatomy& face,
                           const SettledJaw* settled, const ContactChoice& choice,
                           const std::set<Index>& left_out, int threads) {
@@ -105,9 +122,8 @@ ContactTerms add_contacts(mechanics::Model& model, const anatomy::FaceAnatomy& f
     terms.start = resolve_overlaps(face, points, obstacles, choice.distance);
     for (BoneObstacle& obstacle : obstacles) {
       if (obstacle.presses) {
-        terms.contacts.push_back(&model.add(std::make_unique<mechanics::Contact>(
-            model, bone_points(face.mesh, terms.start, obstacle.surface, choice.distance),
-            inner_surface(face.mesh, "edges of the " + obstacle.surface.name), settings)));
+        terms.contacts.push_back(&model.add(edge_contact(
+            model, face.mesh, terms.start, obstacle.surface, choice.distance, settings)));
       }
       terms.contacts.push_back(&model.add(std::make_unique<mechanics::Contact>(
           model, points, std::move(obstacle.surface), settings)));
